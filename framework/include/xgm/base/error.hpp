@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// The one exception type for failures while a pipeline runs.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "xgm/base/export.hpp"
+
+namespace xgm {
+
+/// A run that cannot go on. `message` says what is wrong and what to do about it; `stage_path`
+/// names the stage that failed ("matcher.matcher.cost"), empty outside stages. Stages throw
+/// Error(message); the slot that called the stage adds the path.
+class XGM_API Error : public std::runtime_error {
+ public:
+  explicit Error(const std::string& message);
+  Error(const std::string& stage_path, const std::string& message);
+
+  const std::string& stage_path() const { return stage_path_; }
+  const std::string& message() const { return message_; }
+
+ private:
+  std::string stage_path_;
+  std::string message_;
+};
+
+}  // namespace xgm

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is wrong with a configuration: where, what, and what to do about it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "xgm/base/export.hpp"
+
+namespace xgm {
+
+/// Place in a file; line and column count from 1, 0 if unknown. `file` may also name the command line.
+struct Location {
+  std::string file;
+  int line = 0;
+  int column = 0;
+};
+
+struct Diagnostic {
+  Location where;
+  std::string message;  ///< what is wrong
+  std::string remedy;   ///< what to do about it
+};
+
+using Diagnostics = std::vector<Diagnostic>;
+
+/// "file:line:column: error: message; remedy"
+XGM_API std::string to_string(const Diagnostic& diagnostic);
+
+}  // namespace xgm

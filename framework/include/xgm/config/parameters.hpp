@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// How a plugin declares its parameters: once. Binding, errors, help, schema and docs come from it.
+#pragma once
+
+#include <functional>
+#include <initializer_list>
+#include <list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "xgm/base/export.hpp"
+#include "xgm/config/slot_base.hpp"
+
+namespace xgm {
+
+/// An enumeration seen by its names.
+struct Choice {
+  std::vector<std::string> names;
+  std::function<std::size_t()> get;
+  std::function<void(std::size_t)> set;
+};
+
+/// One declared parameter. The setters return *this so that a declaration reads as one sentence.
+struct XGM_API Field {
+  using Target =
+      std::variant<bool*, int*, double*, std::vector<double>*, Choice, SlotBase*, SlotListBase*>;
+
+  std::string name;
+  std::string text;  ///< one sentence for the user
+  Target target;
+  std::string unit_name;          ///< "px", "grey levels", "" ...
+  std::optional<double> minimum;  ///< inclusive
+  std::optional<double> maximum;  ///< inclusive
+  bool only_odd = false;
+  bool is_optional = false;        ///< a stage that may be left out
+  std::string default_stage_name;  ///< the plugin a stage field uses when left out
+
+  Field& unit(std::string name);
+  Field& range(double low, double high);  ///< both ends allowed; for lists: of each element
+  Field& odd();                           ///< integer must be odd
+  Field& optional();                      ///< stage fields: may be absent
+  Field& default_stage(std::string plugin);
+};
+
+/// A relation between parameters ("p2 must not be below p1"), checked after all fields are bound
+/// and only if none of them is faulty. `field` is where the message points.
+struct Rule {
+  std::string field;
+  std::string message;
+  std::function<bool()> holds;
+};
+
+/// What describe() fills: fields and rules that refer to one Parameters struct.
+class XGM_API ParameterSet {
+ public:
+  Field& add(std::string name, bool& target, std::string text);
+  Field& add(std::string name, int& target, std::string text);
+  Field& add(std::string name, double& target, std::string text);
+  Field& add(std::string name, std::vector<double>& target, std::string text);
+  Field& add(std::string name, SlotBase& target, std::string text);
+  Field& add(std::string name, SlotListBase& target, std::string text);
+
+  template <class Enum>
+  Field& add_choice(std::string name, Enum& target, std::string text,
+                    std::initializer_list<std::pair<const char*, Enum>> choices) {
+    Choice choice;
+    std::vector<Enum> values;
+    for (const auto& [choice_name, value] : choices) {
+      choice.names.emplace_back(choice_name);
+      values.push_back(value);
+    }
+    choice.get = [&target, values] {
+      std::size_t i = 0;
+      while (i + 1 < values.size() && values[i] != target) ++i;
+      return i;
+    };
+    choice.set = [&target, values](std::size_t i) { target = values[i]; };
+    return add_field(std::move(name), std::move(text), std::move(choice));
+  }
+
+  void rule(std::string field, std::string message, std::function<bool()> holds);
+
+  const std::list<Field>& fields() const { return fields_; }
+  const std::vector<Rule>& rules() const { return rules_; }
+
+ private:
+  Field& add_field(std::string name, std::string text, Field::Target target);
+
+  std::list<Field> fields_;  // a list: references to fields stay good
+  std::vector<Rule> rules_;
+};
+
+}  // namespace xgm

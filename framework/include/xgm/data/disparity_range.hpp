@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which disparities are searched: one interval for the image, or one per pixel.
+#pragma once
+
+#include <opencv2/core.hpp>
+
+#include "xgm/base/export.hpp"
+
+namespace xgm {
+
+/// Half-open interval [begin, end) of integer disparities in pixels. Empty means: nothing to
+/// search.
+struct Interval {
+  int begin = 0;
+  int end = 0;
+
+  int size() const { return end > begin ? end - begin : 0; }
+  bool empty() const { return end <= begin; }
+  bool contains(int d) const { return begin <= d && d < end; }
+  friend bool operator==(const Interval&, const Interval&) = default;
+};
+
+/// Both intervals at once; empty (as {0, 0}) if they do not meet.
+XGM_API Interval intersect(Interval a, Interval b);
+
+/// The disparities to search in an image of size(). Disparity d of a base pixel: x_match = x_base -
+/// d.
+class XGM_API DisparityRange {
+ public:
+  /// One interval for all pixels.
+  static DisparityRange uniform(cv::Size size, Interval interval);
+  /// One interval per pixel: [begin(p), end(p)). Both maps have the same size.
+  DisparityRange(cv::Mat1i begin, cv::Mat1i end);
+
+  cv::Size size() const { return size_; }
+  bool is_uniform() const { return begin_.empty(); }
+  Interval at(int y, int x) const {
+    return is_uniform() ? hull_ : Interval{begin_(y, x), end_(y, x)};
+  }
+  /// Smallest interval that holds every pixel's.
+  Interval hull() const { return hull_; }
+
+  /// The range of the reverse map: pixel x' of the match image may take -d if some base pixel
+  /// x = x' + d may take d. Per-pixel ranges become the hull of what points at each match pixel.
+  DisparityRange reversed() const;
+
+ private:
+  DisparityRange(cv::Size size, Interval interval) : size_(size), hull_(interval) {}
+
+  cv::Size size_;
+  Interval hull_;
+  cv::Mat1i begin_, end_;  // empty when uniform
+};
+
+}  // namespace xgm

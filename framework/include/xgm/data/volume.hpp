@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// Ragged volumes: each pixel has its own range of disparities; a dense volume is the uniform case.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "xgm/base/export.hpp"
+#include "xgm/data/disparity_range.hpp"
+
+namespace xgm {
+
+/// Where each pixel's disparities lie in a volume. Immutable; shared by all volumes of one match.
+/// The cells of pixel (y, x) are [offset(y, x), offset(y, x) + count(y, x)), the first one
+/// belonging to disparity begin(y, x); pixels follow in row-major order.
+class XGM_API VolumeShape {
+ public:
+  /// Pixels for which `valid` is given and zero have no cells.
+  explicit VolumeShape(const DisparityRange& range, const cv::Mat1b& valid = {});
+
+  int width() const { return size_.width; }
+  int height() const { return size_.height; }
+  cv::Size size() const { return size_; }
+
+  int begin(int y, int x) const { return begin_[index(y, x)]; }
+  int end(int y, int x) const { return begin(y, x) + count(y, x); }
+  int count(int y, int x) const {
+    const std::size_t i = index(y, x);
+    return static_cast<int>(offset_[i + 1] - offset_[i]);
+  }
+  std::int64_t offset(int y, int x) const { return offset_[index(y, x)]; }
+  std::int64_t cells() const { return offset_.back(); }
+  /// Largest number of disparities that a pixel has.
+  int max_count() const { return max_count_; }
+  /// Smallest interval that holds every pixel's.
+  Interval hull() const { return hull_; }
+  std::size_t bytes() const;
+
+ private:
+  std::size_t index(int y, int x) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.width) +
+           static_cast<std::size_t>(x);
+  }
+
+  cv::Size size_;
+  std::vector<std::int32_t> begin_;   // per pixel
+  std::vector<std::int64_t> offset_;  // per pixel, plus one
+  int max_count_ = 0;
+  Interval hull_;
+};
+
+using VolumeShapePtr = std::shared_ptr<const VolumeShape>;
+
+/// One number per pixel and disparity. Cells are not initialised. Moves, never copies.
+template <class Cell>
+class Volume {
+ public:
+  /// Marks a disparity that cannot be matched (outside the match image, or no data there).
+  /// Absorbing: such a cell stays kNoMatch through aggregation and never wins.
+  static constexpr Cell kNoMatch = std::numeric_limits<Cell>::max();
+
+  explicit Volume(VolumeShapePtr shape)
+      : shape_(std::move(shape)),
+        cells_(std::make_unique_for_overwrite<Cell[]>(static_cast<std::size_t>(shape_->cells()))) {}
+
+  const VolumeShape& shape() const { return *shape_; }
+  const VolumeShapePtr& shape_ptr() const { return shape_; }
+  /// First cell of a pixel; shape().count(y, x) cells follow.
+  Cell* at(int y, int x) { return cells_.get() + shape_->offset(y, x); }
+  const Cell* at(int y, int x) const { return cells_.get() + shape_->offset(y, x); }
+  Cell* data() { return cells_.get(); }
+  const Cell* data() const { return cells_.get(); }
+  std::size_t bytes() const { return static_cast<std::size_t>(shape_->cells()) * sizeof(Cell); }
+
+ private:
+  VolumeShapePtr shape_;
+  std::unique_ptr<Cell[]> cells_;
+};
+
+/// Matching costs C(p, d), 8 bit. Every cell is at most max_cost, or kNoMatch (255).
+struct CostVolume : Volume<std::uint8_t> {
+  CostVolume(VolumeShapePtr shape, int max_cost) : Volume(std::move(shape)), max_cost(max_cost) {}
+  int max_cost;  ///< bound of the cost function itself, not of this image: 0 to 254
+};
+
+/// Sums S(p, d) over the path directions, 16 bit, in units of 2^-fraction_bits of a cost. Each
+/// pixel's sums are correct up to a constant of that pixel (paths are kept small by subtracting
+/// their minimum, which changes no winner).
+struct AggregatedVolume : Volume<std::uint16_t> {
+  AggregatedVolume(VolumeShapePtr shape, int fraction_bits)
+      : Volume(std::move(shape)), fraction_bits(fraction_bits) {}
+  int fraction_bits;
+};
+
+}  // namespace xgm

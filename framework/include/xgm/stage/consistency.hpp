@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Kind "consistency": do the maps of both views agree?
+#pragma once
+
+#include "xgm/config/slot_base.hpp"
+#include "xgm/stage/context.hpp"
+
+namespace xgm {
+
+class XGM_API Consistency : public Stage {
+ public:
+  static constexpr std::string_view kKind = "consistency";
+
+  /// Invalidates disagreeing pixels of both maps, as occluded or mismatched. `result.reverse` is
+  /// set.
+  virtual MatchResult run(const MatchResult& result, const Context& context) const = 0;
+};
+
+}  // namespace xgm

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Kind "matcher": from an image pair to disparity maps. Matchers may hold matchers.
+#pragma once
+
+#include "xgm/config/slot_base.hpp"
+#include "xgm/stage/context.hpp"
+
+namespace xgm {
+
+class XGM_API Matcher : public Stage {
+ public:
+  static constexpr std::string_view kKind = "matcher";
+
+  virtual MatchResult run(const MatchRequest& request, const Context& context) const = 0;
+
+  /// Whether pixels may have different ranges. If not, a pyramid refuses this matcher, and so does
+  /// a run that is given range maps.
+  virtual bool accepts_range_maps() const { return true; }
+};
+
+}  // namespace xgm

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Kind "selection": picks one disparity per pixel.
+#pragma once
+
+#include "xgm/config/slot_base.hpp"
+#include "xgm/stage/context.hpp"
+
+namespace xgm {
+
+class XGM_API Selection : public Stage {
+ public:
+  static constexpr std::string_view kKind = "selection";
+
+  /// Whole disparities of `sums`, or out_of_range where no cell can match.
+  virtual DisparityMap run(const AggregatedVolume& sums, const Context& context) const = 0;
+};
+
+}  // namespace xgm

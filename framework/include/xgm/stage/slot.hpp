@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// A typed place for a stage: bound by the configuration, called like a function.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "xgm/config/slot_base.hpp"
+#include "xgm/stage/context.hpp"
+
+namespace xgm {
+
+/// Holds one stage of kind `Kind`. slot(context, inputs...) runs it as the part of the pipeline
+/// that bears this slot's name: timed, logged, its errors carrying its path.
+template <class Kind>
+class Slot final : public SlotBase {
+ public:
+  Slot() = default;
+  /// For use from C++: a slot that holds `stage`, called `field` in paths.
+  explicit Slot(std::shared_ptr<const Kind> stage, std::string field = std::string(Kind::kKind))
+      : stage_(std::move(stage)), plugin_(Kind::kKind), field_(std::move(field)) {}
+
+  std::string_view kind() const override { return Kind::kKind; }
+  bool assign(std::shared_ptr<const Stage> stage, std::string plugin, std::string field) override {
+    stage_ = std::dynamic_pointer_cast<const Kind>(std::move(stage));
+    plugin_ = std::move(plugin);
+    field_ = std::move(field);
+    return stage_ != nullptr;
+  }
+
+  explicit operator bool() const { return stage_ != nullptr; }
+  const Kind* operator->() const { return stage_.get(); }
+
+  template <class... Inputs>
+  auto operator()(const Context& context, const Inputs&... inputs) const {
+    return context.scope(field_).run_stage(
+        plugin_, [&](const Context& inner) { return stage_->run(inputs..., inner); });
+  }
+
+ private:
+  std::shared_ptr<const Kind> stage_;
+  std::string plugin_, field_;
+};
+
+/// Any number of stages of one kind, in order.
+template <class Kind>
+class SlotList final : public SlotListBase {
+ public:
+  std::string_view kind() const override { return Kind::kKind; }
+  SlotBase& append() override { return slots_.emplace_back(); }
+
+  bool empty() const { return slots_.empty(); }
+  std::size_t size() const { return slots_.size(); }
+  auto begin() const { return slots_.begin(); }
+  auto end() const { return slots_.end(); }
+
+ private:
+  std::vector<Slot<Kind>> slots_;
+};
+
+}  // namespace xgm
