@@ -8,14 +8,13 @@
 namespace xgm::census {
 namespace {
 
-template <int kChannels, int kWords>
+template <int kChannels, std::size_t kWords>
 void distances(const Descriptors& base, const Descriptors& match, const cost::Candidates& c) {
   std::array<std::uint64_t, kWords> own{};
   std::array<const std::uint64_t*, kWords> others{};
-  for (int k = 0; k < kWords; ++k) {
-    const auto at = static_cast<std::size_t>(k);
-    own[at] = base.word(k)[c.x];
-    others[at] = match.word(k) + c.first;
+  for (std::size_t k = 0; k < kWords; ++k) {
+    own[k] = base.word(static_cast<int>(k))[c.x];
+    others[k] = match.word(static_cast<int>(k)) + c.first;
   }
   for (int i = 0; i < c.count; ++i) {
     int bits = 0;

@@ -26,9 +26,9 @@ class WeightedSum final : public xgm::Cost {
     set.add("weights", p.weights,
             "Factor of each cost, in their order; the sum is rounded, and 254 at most.")
         .range(0, 254);
-    set.rule("weights", "weights must have one number for each of costs",
+    set.rule({"weights", "costs"}, "must have one number for each of costs",
              [&p] { return p.weights.size() == p.costs.size(); });
-    set.rule("weights", "weights must have at least one number above 0",
+    set.rule({"weights"}, "must have at least one number above 0",
              [&p] { return std::accumulate(p.weights.begin(), p.weights.end(), 0.0) > 0; });
   }
 

@@ -65,9 +65,10 @@ class Canny final : public xgm::Penalty {
     set.add("high", p.high, "Upper threshold of the edge detector: edges begin above it.")
         .unit("grey levels x 4")
         .range(0, 2040);
-    set.rule("p2_edge", "p2_edge must not be below p1", [&p] { return p.p2_edge >= p.weights.p1; });
-    set.rule("p2", "p2 must not be below p2_edge", [&p] { return p.weights.p2 >= p.p2_edge; });
-    set.rule("high", "high must not be below low", [&p] { return p.high >= p.low; });
+    set.rule({"p2_edge", "p1"}, "must not be below p1", [&p] { return p.p2_edge >= p.weights.p1; });
+    set.rule({"p2", "p2_edge"}, "must not be below p2_edge",
+             [&p] { return p.weights.p2 >= p.p2_edge; });
+    set.rule({"high", "low"}, "must not be below low", [&p] { return p.high >= p.low; });
   }
 
   explicit Canny(const Parameters& p) : parameters_(p) {}

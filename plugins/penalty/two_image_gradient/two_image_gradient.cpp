@@ -83,7 +83,7 @@ class TwoImageGradient final : public xgm::Penalty {
             "P1 is divided by this on vertical paths, multiplied by sqrt(1 + v^2) / v on diagonal "
             "ones and knight's moves.")
         .range(1, 10);
-    set.rule("q2", "q2 must not be below q1", [&p] { return p.q2 >= p.q1; });
+    set.rule({"q2", "q1"}, "must not be below q1", [&p] { return p.q2 >= p.q1; });
   }
 
   explicit TwoImageGradient(const Parameters& p) : parameters_(p) {}
