@@ -52,7 +52,7 @@ inline ImagePair noisy_pair(cv::Size size, int channels, bool masked, bool fract
 inline std::vector<CostCase> cost_cases(bool fractions) {
   std::vector<CostCase> cases;
   for (const cv::Size size : {cv::Size(1, 1), cv::Size(7, 1), cv::Size(1, 7), cv::Size(2, 3),
-                              cv::Size(13, 9), cv::Size(71, 37)}) {
+                              cv::Size(13, 9), cv::Size(67, 34)}) {
     for (const int channels : {1, 3}) {
       for (const bool masked : {false, true}) {
         const ImagePair pair = noisy_pair(size, channels, masked, fractions);
@@ -64,7 +64,9 @@ inline std::vector<CostCase> cost_cases(bool fractions) {
         add("range across 0", DisparityRange::uniform(size, {-3, 6}));
         add("negative range", DisparityRange::uniform(size, {-9, -1}));
         add("one disparity", DisparityRange::uniform(size, {2, 3}));
-        add("wider than the image", DisparityRange::uniform(size, {-80, 90}));
+        if (size.width < 20) {
+          add("wider than the image", DisparityRange::uniform(size, {-20, 25}));
+        }
         add("ragged", random_range(size, {-8, 11}, 5));
       }
     }
@@ -124,8 +126,9 @@ inline void check_symmetry(const std::string& yaml) {
         for (int d = shape->begin(y, x); d < shape->end(y, x); ++d) {
           const int other = x - d;
           if (other < 0 || other >= shape->width() || !c.pair.match.is_valid(y, other)) continue;
-          differences += costs.at(y, x)[d - shape->begin(y, x)] !=
-                         back.at(y, other)[-d - back_shape->begin(y, other)];
+          const bool asked = back_shape->begin(y, other) <= -d && -d < back_shape->end(y, other);
+          differences += !asked || costs.at(y, x)[d - shape->begin(y, x)] !=
+                                       back.at(y, other)[-d - back_shape->begin(y, other)];
         }
       }
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // P2 on edges and elsewhere: the paper, section 4.1.
+#include <algorithm>
 #include <opencv2/imgproc.hpp>
 
 #include "plugins/penalty/penalty_cases.hpp"
@@ -19,18 +20,27 @@ bool near_masked(const Image& image, int y, int x) {
   return false;
 }
 
-PenaltyOracle canny_oracle(PenaltyPair on_edge, PenaltyPair elsewhere, double low, double high) {
-  return [=](const ImagePair& pair, Direction, int y, int x, int) {
-    const cv::Mat1f levels = pair.base.grey();
-    cv::Mat1b grey(levels.size()), edges;
-    for (int v = 0; v < grey.rows; ++v) {
-      for (int u = 0; u < grey.cols; ++u) {
-        grey(v, u) = pair.base.is_valid(v, u) ? cv::saturate_cast<std::uint8_t>(levels(v, u)) : 0;
-      }
+cv::Mat1b edges_of(const Image& image, double low, double high) {
+  const cv::Mat1f levels = image.grey();
+  cv::Mat1b grey(levels.size()), edges;
+  for (int y = 0; y < grey.rows; ++y) {
+    for (int x = 0; x < grey.cols; ++x) {
+      grey(y, x) = image.is_valid(y, x) ? cv::saturate_cast<std::uint8_t>(levels(y, x)) : 0;
     }
-    cv::Canny(grey, edges, low, high);
-    return edges(y, x) != 0 && !near_masked(pair.base, y, x) ? on_edge : elsewhere;
-  };
+  }
+  cv::Canny(grey, edges, low, high);
+  return edges;
+}
+
+void check_canny(const std::string& yaml, PenaltyPair on_edge, PenaltyPair elsewhere, double low,
+                 double high) {
+  for (const ImagePair& pair : penalty_pairs()) {
+    const cv::Mat1b edges = edges_of(pair.base, low, high);
+    const PenaltyOracle oracle = [&](const ImagePair&, Direction, int y, int x, int) {
+      return edges(y, x) != 0 && !near_masked(pair.base, y, x) ? on_edge : elsewhere;
+    };
+    CHECK(first_fault(*stage<Penalty>(yaml), oracle, pair) == "");
+  }
 }
 
 std::vector<int> p2_of_row(const Image& base, int y) {
@@ -45,9 +55,9 @@ std::vector<int> p2_of_row(const Image& base, int y) {
 }  // namespace
 
 TEST_CASE("canny lowers P2 where cv::Canny finds an edge at the base pixel") {
-  check_penalties("canny", canny_oracle({24, 27}, {24, 96}, 50, 150));
-  check_penalties("{type: canny, p1: 1, p2_edge: 1, p2: 200, low: 20, high: 60}",
-                  canny_oracle({1, 1}, {1, 200}, 20, 60));
+  check_canny("canny", {24, 27}, {24, 96}, 50, 150);
+  check_canny("{type: canny, p1: 1, p2_edge: 1, p2: 200, low: 20, high: 60}", {1, 1}, {1, 200}, 20,
+              60);
 }
 
 TEST_CASE("canny marks one column of a vertical step and nothing else") {
