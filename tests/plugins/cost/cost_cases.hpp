@@ -23,11 +23,14 @@ struct CostCase {
 /// definition. Asked only where both exist.
 using CostOracle = std::function<double(const ImagePair&, int y, int x, int d)>;
 
-/// Masks about a fifth of the pixels and makes their values NaN: nobody may look at them.
+/// Masks about a fifth of the pixels. Their values are NaN or darker than all others: nobody may
+/// look at them.
 inline void mask(Image& image, std::uint64_t seed) {
   image.valid = random_mask(image.size(), 0.2, seed);
   for (cv::Mat1f& plane : image.planes) {
-    plane.setTo(std::numeric_limits<float>::quiet_NaN(), image.valid == 0);
+    plane.setTo(-100, image.valid == 0);
+    plane.setTo(std::numeric_limits<float>::quiet_NaN(),
+                (image.valid == 0) & (random_mask(image.size(), 0.5, seed + 1) == 0));
   }
 }
 

@@ -42,7 +42,9 @@ inline Image stepped_image(cv::Size size, std::uint64_t seed, int channels, bool
   if (!masked) return image;
   image.valid = random_mask(size, 0.2, seed + 1);
   for (cv::Mat1f& plane : image.planes) {
-    plane.setTo(std::numeric_limits<float>::quiet_NaN(), image.valid == 0);
+    plane.setTo(500, image.valid == 0);  // nobody may look at them
+    plane.setTo(std::numeric_limits<float>::quiet_NaN(),
+                (image.valid == 0) & (random_mask(size, 0.5, seed + 2) == 0));
   }
   return image;
 }
