@@ -29,12 +29,14 @@ class RandomPenalties final : public PenaltyField {
                 std::span<std::uint8_t> match) const override {
     Random random = generator(r, y);
     for (auto& each : base) each = static_cast<std::uint8_t>(random.integer(0, base_classes_ - 1));
-    for (auto& each : match) each = static_cast<std::uint8_t>(random.integer(0, match_classes_ - 1));
+    for (auto& each : match)
+      each = static_cast<std::uint8_t>(random.integer(0, match_classes_ - 1));
   }
 
  private:
   Random generator(Direction r, int y) const {
-    return Random(seed_ * 1000003 + static_cast<std::uint64_t>((y + 1) * 25 + r.dx * 5 + r.dy + 12));
+    return Random(seed_ * 1000003 +
+                  static_cast<std::uint64_t>((y + 1) * 25 + r.dx * 5 + r.dy + 12));
   }
   int base_classes_, match_classes_, p2_max_;
   std::uint64_t seed_;

@@ -124,7 +124,7 @@ class Oracle {
   Method method_;
   std::vector<Direction> steps_;
   std::vector<PenaltyTable> tables_;
-  std::vector<std::vector<Row>> classes_;                 // step, y
+  std::vector<std::vector<Row>> classes_;                  // step, y
   std::vector<std::optional<std::vector<double>>> known_;  // pixel
 };
 
@@ -133,7 +133,8 @@ inline Sums to_sums(const AggregatedVolume& volume) {
   Sums sums;
   for (std::int64_t i = 0; i < volume.shape().cells(); ++i) {
     const std::uint16_t s = volume.data()[i];
-    sums.push_back(s == AggregatedVolume::kNoMatch ? kInfinite : s / double(1 << volume.fraction_bits));
+    sums.push_back(s == AggregatedVolume::kNoMatch ? kInfinite
+                                                   : s / double(1 << volume.fraction_bits));
   }
   return sums;
 }

@@ -12,10 +12,10 @@ using namespace xgm::testing;
 namespace {
 
 AggregatedVolume run_mgm(const CostVolume& costs, const PenaltyField& penalties, int directions,
-                     bool corrected = true) {
-  const auto stage = testing::stage<Aggregation>(
-      "{type: mgm, directions: " + std::to_string(directions) +
-      ", overcounting_correction: " + (corrected ? "true}" : "false}"));
+                         bool corrected = true) {
+  const auto stage =
+      testing::stage<Aggregation>("{type: mgm, directions: " + std::to_string(directions) +
+                                  ", overcounting_correction: " + (corrected ? "true}" : "false}"));
   return stage->run(costs, penalties, Context{});
 }
 
@@ -119,7 +119,8 @@ TEST_CASE("mgm equals Eq. 6 within the derived bound of its fixed-point error") 
             CAPTURE(directions);
             CHECK(result.same_holes);
             const int steps = size.width + size.height;  // of the longest path
-            CHECK(result.largest <= directions * steps * result.unit / 2);
+            const double path_unit = 1.0 / 256;          // 24 + 2 P2 + P1 < 65535 / 256
+            CHECK(result.largest <= directions * steps * path_unit + 4 * result.unit);
           }
 }
 
@@ -135,7 +136,7 @@ TEST_CASE("mgm is exact while no half has to be rounded") {
 
 TEST_CASE("mgm has the oracle's winner at 99.9 % of the pixels") {
   const cv::Size size(160, 120);
-  const auto report = [](const char* name, int directions, const Comparison& result) {
+  const auto report = [](const std::string& name, int directions, const Comparison& result) {
     MESSAGE(name, ", ", directions, " directions: same winner ", 100 * result.agreement,
             " %, unit ", result.unit, ", error of S rms ", result.rms, ", largest ",
             result.largest);
@@ -153,4 +154,96 @@ TEST_CASE("mgm has the oracle's winner at 99.9 % of the pixels") {
     const CostVolume ragged = census_like_costs(ragged_shape(size, {-5, 60}, 4), 4);
     report("ragged, P 24/96", directions, compare(ragged, usual, directions));
   }
+}
+
+TEST_CASE("the overcounting correction of mgm is S - (N - 1) C") {
+  const CostVolume costs = random_costs(ragged_shape({25, 18}, {-5, 25}, 2), 24, 2);
+  const RandomPenalties penalties(2, 2, 96, 2);
+  for (const int directions : {4, 8, 16}) {
+    const AggregatedVolume plain = run_mgm(costs, penalties, directions, false);
+    const AggregatedVolume corrected = run_mgm(costs, penalties, directions, true);
+    REQUIRE(plain.fraction_bits == corrected.fraction_bits);
+    bool all_hold = true;
+    for (std::int64_t i = 0; i < costs.shape().cells(); ++i) {
+      const int c = costs.data()[i], s = plain.data()[i];
+      const int surplus = (directions - 1) * c * (1 << plain.fraction_bits);
+      all_hold = all_hold && corrected.data()[i] == (c == CostVolume::kNoMatch ? s : s - surplus);
+    }
+    CHECK(all_hold);
+  }
+}
+
+TEST_CASE("mgm on a ragged volume with equal ranges gives what the dense one gives") {
+  const cv::Size size(27, 16);
+  const auto ragged =
+      std::make_shared<VolumeShape>(DisparityRange(cv::Mat1i(size, -4), cv::Mat1i(size, 19)));
+  const RandomPenalties penalties(2, 2, 96, 1);
+  CHECK(identical(run_mgm(random_costs(dense_shape(size, {-4, 19}), 24, 6), penalties, 16),
+                  run_mgm(random_costs(ragged, 24, 6), penalties, 16)));
+}
+
+TEST_CASE("mgm does not depend on the number of threads") {
+  const CostVolume costs = random_costs(ragged_shape({211, 137}, {-5, 25}, 8), 24, 8);
+  const RandomPenalties penalties(2, 2, 96, 8);
+  const Threads one(1);
+  const AggregatedVolume expected = run_mgm(costs, penalties, 16);
+  for (const int count : {2, 3, 8}) {
+    const Threads threads(count);
+    CHECK(identical(run_mgm(costs, penalties, 16), expected));
+  }
+}
+
+TEST_CASE("a volume turned by a right angle gives mgm's sums turned") {
+  const cv::Size size(26, 17);
+  const auto shape = dense_shape(size, {0, 21});
+  const auto turned_shape = dense_shape({size.height, size.width}, {0, 21});
+  const CostVolume costs = random_costs(shape, 24, 12);
+  const auto turn = [&](const auto& from, auto& to) {
+    for (int y = 0; y < size.height; ++y)
+      for (int x = 0; x < size.width; ++x)
+        std::copy_n(from.at(y, x), 21, to.at(size.width - 1 - x, y));
+  };
+  CostVolume turned(turned_shape, 24);
+  turn(costs, turned);
+  const ConstantPenalties penalties(7, 40);
+  for (const int directions : {4, 8, 16}) {
+    const AggregatedVolume sums = run_mgm(costs, penalties, directions);
+    AggregatedVolume expected(turned_shape, sums.fraction_bits);
+    turn(sums, expected);
+    CHECK(identical(run_mgm(turned, penalties, directions), expected));
+  }
+}
+
+TEST_CASE("mgm holds the largest costs and penalties that fit, and refuses larger ones") {
+  const CostVolume costs = random_costs(ragged_shape({19, 13}, {0, 20}, 3), 254, 3);
+  for (const int directions : {4, 8, 16}) {
+    const int most = (65534 - 254) / directions;
+    const Comparison result = compare(costs, ConstantPenalties(most, most), directions);
+    CHECK(result.unit == 1);
+    CHECK(result.same_holes);
+    CHECK(result.largest <= directions * (19 + 13) + 4);
+    CHECK_THROWS_AS(run_mgm(costs, ConstantPenalties(0, most + 1), directions), Error);
+  }
+}
+
+TEST_CASE("mgm without costs and penalties, and without cells, gives zeros and nothing") {
+  CostVolume costs(dense_shape({6, 5}, {0, 2}), 0);
+  std::fill_n(costs.data(), costs.shape().cells(), std::uint8_t{0});
+  const AggregatedVolume sums = run_mgm(costs, ConstantPenalties(0, 0), 8);
+  CHECK(std::all_of(sums.data(), sums.data() + 60, [](auto s) { return s == 0; }));
+  const CostVolume none(dense_shape({6, 5}, {0, 0}), 24);
+  CHECK(run_mgm(none, ConstantPenalties(1, 2), 8).shape().cells() == 0);
+}
+
+TEST_CASE("an exception of the penalties ends a pass along columns, too") {
+  struct Faulty final : PenaltyField {
+    PenaltyTable table(Direction) const override { return {2, 1, {{1, 2}, {3, 4}}}; }
+    void classify(Direction r, int, std::span<std::uint8_t> base,
+                  std::span<std::uint8_t>) const override {
+      std::ranges::fill(base, std::uint8_t{1});
+      if (r == Direction{0, -1}) throw Error("upwards");
+    }
+  };
+  const CostVolume costs = random_costs(dense_shape({20, 10}, {0, 16}), 24, 1);
+  CHECK_THROWS_WITH(run_mgm(costs, Faulty(), 4), "upwards");
 }
