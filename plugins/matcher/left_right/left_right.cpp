@@ -17,9 +17,8 @@ class LeftRight final : public xgm::Matcher {
     set.add("matcher", p.matcher, "Matches one view; is run once for each of the two.");
     set.add("consistency", p.consistency, "Decides which disparities of the two maps agree.")
         .default_stage("lrrl");
-    set.rule("matcher",
-             "the matcher inside already matches both views; remove one of the two left_right",
-             [&p] { return !p.matcher || !p.matcher->gives_reverse_map(); });
+    set.rule({"matcher"}, "already matches both views; remove one of the two left_right",
+             [&p] { return !p.matcher->gives_reverse_map(); });
   }
 
   explicit LeftRight(Parameters parameters) : stages_(std::move(parameters)) {}

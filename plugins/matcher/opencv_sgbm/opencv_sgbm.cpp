@@ -128,7 +128,7 @@ void OpenCvSgbm::describe(Parameters& p, xgm::ParameterSet& set) {
   set.add("pad", p.pad,
           "Widen the images by the search range, so that the columns that OpenCV would skip at the "
           "border are matched too.");
-  set.rule("p2", "p2 must be larger than p1", [&p] { return p.p1 < p.p2; });
+  set.rule({"p2", "p1"}, "must be larger than p1", [&p] { return p.p1 < p.p2; });
 }
 
 }  // namespace

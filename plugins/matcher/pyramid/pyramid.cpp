@@ -31,11 +31,11 @@ class Pyramid final : public xgm::Matcher {
             "What the next finer level searches, given the map of the coarser one.")
         .default_stage("min_max");
     set.add("matcher", p.matcher, "Matches each level.");
-    set.rule("scale", "scale must be a power of two: 1, 2, 4, 8, 16, 32 or 64",
+    set.rule({"scale"}, "must be a power of two: 1, 2, 4, 8, 16, 32 or 64",
              [&p] { return std::has_single_bit(static_cast<unsigned>(p.scale)); });
-    set.rule("matcher",
-             "the matcher inside needs one range for the whole image and cannot work in a pyramid",
-             [&p] { return p.scale == 1 || !p.matcher || p.matcher->accepts_range_maps(); });
+    set.rule({"matcher", "scale"},
+             "needs one range for the whole image and cannot work in a pyramid",
+             [&p] { return p.scale == 1 || p.matcher->accepts_range_maps(); });
   }
 
   explicit Pyramid(Parameters parameters) : parameters_(std::move(parameters)) {}

@@ -32,7 +32,7 @@ class Percentile final : public xgm::SearchRange {
             "How far, in pixels of the finer level, the search reaches beyond these percentiles.")
         .unit("px")
         .range(0, 1024);
-    set.rule("high", "high must not be below low", [&p] { return p.low <= p.high; });
+    set.rule({"high", "low"}, "must not be below low", [&p] { return p.low <= p.high; });
   }
 
   explicit Percentile(Parameters parameters) : parameters_(parameters) {}
