@@ -7,7 +7,7 @@
 
 #include "support/support.hpp"
 
-namespace xgm::testing {
+namespace xgm::testing::matchers {
 
 /// What a remembering matcher was asked, and where in the pipeline.
 struct Asked {
@@ -137,4 +137,4 @@ class ProgressObserver final : public Observer {
   std::vector<double> shares;
 };
 
-}  // namespace xgm::testing
+}  // namespace xgm::testing::matchers

@@ -4,7 +4,7 @@
 
 #include "plugins/matcher/fakes.hpp"
 
-namespace xgm::testing {
+namespace xgm::testing::matchers {
 namespace {
 
 /// A textured pair whose disparity is `left` in the left and `right` in the right half.
@@ -184,4 +184,4 @@ TEST_CASE("opencv_sgbm refuses range maps, disparities beyond 16 bits and p2 bel
 }
 
 }  // namespace
-}  // namespace xgm::testing
+}  // namespace xgm::testing::matchers

@@ -4,7 +4,7 @@
 
 #include "plugins/matcher/fakes.hpp"
 
-namespace xgm::testing {
+namespace xgm::testing::matchers {
 namespace {
 
 cv::Size scaled(cv::Size size, int scale) {
@@ -243,4 +243,4 @@ TEST_CASE("progress of a pyramid never falls and ends at 1") {
 }
 
 }  // namespace
-}  // namespace xgm::testing
+}  // namespace xgm::testing::matchers

@@ -11,7 +11,7 @@
 
 #include "support/support.hpp"
 
-namespace xgm::testing {
+namespace xgm::testing::ranges {
 
 /// The closed interval of coarse disparities that a rule proposes for coarse pixel (y, x), and how
 /// far it is relaxed, in fine pixels. Nothing: all of the limits.
@@ -137,4 +137,4 @@ inline bool same_for_any_thread_count(const std::string& yaml) {
   return true;
 }
 
-}  // namespace xgm::testing
+}  // namespace xgm::testing::ranges

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugins/search_range/naive.hpp"
 
-namespace xgm::testing {
+namespace xgm::testing::ranges {
 namespace {
 
 std::optional<double> naive_mean(const DisparityMap& map) {
@@ -55,4 +55,4 @@ TEST_CASE("median_window does not depend on the number of threads") {
 }
 
 }  // namespace
-}  // namespace xgm::testing
+}  // namespace xgm::testing::ranges
