@@ -7,7 +7,7 @@
 
 #include "testing/contract_support.hpp"
 
-namespace xgm::testing {
+namespace xgm::testing::detail {
 
 inline VolumeShapePtr shape_of(const DisparityRange& range, const cv::Mat1b& valid) {
   return std::make_shared<const VolumeShape>(range, valid);
@@ -28,4 +28,4 @@ inline int smallest(const AggregatedVolume& sums, int y, int x) {
   return least;
 }
 
-}  // namespace xgm::testing
+}  // namespace xgm::testing::detail

@@ -5,6 +5,9 @@
 #include "testing/contract_cells.hpp"
 
 namespace xgm::testing {
+
+using namespace detail;
+
 namespace {
 
 /// Sums as of an aggregation, one in eight kNoMatch, and pixels without any match.

@@ -5,6 +5,9 @@
 #include "testing/contract_support.hpp"
 
 namespace xgm::testing {
+
+using namespace detail;
+
 namespace {
 
 void expect_sound_view(Report& report, const Image& image, cv::Size size) {
@@ -44,10 +47,12 @@ std::vector<Direction> directions() {
   return all;
 }
 
+using Classes = std::vector<std::uint8_t>;
+
 /// The classes of all rows, asked for in this order.
-Bytes classes(const PenaltyField& field, Direction r, cv::Size size, bool upwards) {
+Classes classes(const PenaltyField& field, Direction r, cv::Size size, bool upwards) {
   const auto width = static_cast<std::size_t>(size.width);
-  Bytes all(2 * width * static_cast<std::size_t>(size.height), 255);
+  Classes all(2 * width * static_cast<std::size_t>(size.height), 255);
   for (int i = 0; i < size.height; ++i) {
     const int y = upwards ? size.height - 1 - i : i;
     const std::span<std::uint8_t> row(&all[2 * width * static_cast<std::size_t>(y)], 2 * width);
@@ -66,7 +71,7 @@ void expect_table(Report& report, const PenaltyTable& table) {
     report.expect(0 <= entry.p1 && entry.p1 <= entry.p2, "not 0 <= p1 <= p2");
 }
 
-void expect_classes(Report& report, const Bytes& all, const PenaltyTable& table, int width) {
+void expect_classes(Report& report, const Classes& all, const PenaltyTable& table, int width) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const int column = static_cast<int>(i) % (2 * width), y = static_cast<int>(i) / (2 * width);
     const int classes_there = column < width ? table.base_classes : table.match_classes;
@@ -81,9 +86,9 @@ void check_penalty_on(Report& report, const Penalty& stage, const ImagePair& pai
   report.expect(field != nullptr, "there is no penalty field");
   if (field == nullptr) return;
   const auto all_classes = [](const PenaltyField& of, cv::Size size) {
-    Bytes all;
+    Classes all;
     for (const Direction r : directions()) {
-      const Bytes some = classes(of, r, size, false);
+      const Classes some = classes(of, r, size, false);
       all.insert(all.end(), some.begin(), some.end());
     }
     return all;
@@ -91,12 +96,12 @@ void check_penalty_on(Report& report, const Penalty& stage, const ImagePair& pai
   for (const Direction r : directions()) {
     const PenaltyTable table = field->table(r);
     expect_table(report, table);
-    const Bytes downwards = classes(*field, r, pair.size(), false);
+    const Classes downwards = classes(*field, r, pair.size(), false);
     expect_classes(report, downwards, table, pair.size().width);
     report.expect(downwards == classes(*field, r, pair.size(), true),
                   "classes depend on the order of the rows");
   }
-  const Bytes expected = all_classes(*field, pair.size());
+  const Classes expected = all_classes(*field, pair.size());
   for (const int count : {1, 2, 3, 8}) {
     const Threads threads(count);
     report.expect(all_classes(*stage.run(pair, Context{}), pair.size()) == expected,

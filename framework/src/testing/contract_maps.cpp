@@ -5,6 +5,9 @@
 #include "testing/contract_support.hpp"
 
 namespace xgm::testing {
+
+using namespace detail;
+
 namespace {
 
 bool is_masked(const DisparityMap& map, int y, int x) { return map.at(y, x) == Status::masked; }

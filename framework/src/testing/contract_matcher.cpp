@@ -6,6 +6,9 @@
 #include "xgm/testing/synthetic.hpp"
 
 namespace xgm::testing {
+
+using namespace detail;
+
 namespace {
 
 /// Disparities within half a pixel (refinement) of `hull`; exactly the pixels without data masked.

@@ -5,10 +5,10 @@
 
 #include <cmath>
 
-#include "xgm/testing/random.hpp"
+#include "testing/random.hpp"
 #include "xgm/testing/synthetic.hpp"
 
-namespace xgm::testing {
+namespace xgm::testing::detail {
 
 void Report::with(const std::string& name, const std::function<void()>& body) {
   input_ = name;
@@ -108,11 +108,8 @@ std::vector<Input> inputs() {
 namespace {
 
 void append(Bytes& bytes, const void* data, std::size_t count) {
-  const auto* first = static_cast<const std::uint8_t*>(data);
-  bytes.insert(bytes.end(), first, first + count);
+  bytes.append(static_cast<const char*>(data), count);
 }
-
-void append(Bytes& bytes, const Bytes& more) { append(bytes, more.data(), more.size()); }
 
 void append(Bytes& bytes, const cv::Mat& mat) {
   const std::array<int, 3> head{mat.rows, mat.cols, mat.type()};
@@ -138,11 +135,7 @@ Bytes bytes_of(const Image& image) {
   return bytes;
 }
 
-Bytes bytes_of(const ImagePair& pair) {
-  Bytes bytes = bytes_of(pair.base);
-  append(bytes, bytes_of(pair.match));
-  return bytes;
-}
+Bytes bytes_of(const ImagePair& pair) { return bytes_of(pair.base) + bytes_of(pair.match); }
 
 Bytes bytes_of(const DisparityMap& map) {
   Bytes bytes;
@@ -152,9 +145,7 @@ Bytes bytes_of(const DisparityMap& map) {
 }
 
 Bytes bytes_of(const MatchResult& result) {
-  Bytes bytes = bytes_of(result.forward);
-  if (result.reverse) append(bytes, bytes_of(*result.reverse));
-  return bytes;
+  return bytes_of(result.forward) + (result.reverse ? bytes_of(*result.reverse) : Bytes{});
 }
 
 Bytes bytes_of(const DisparityRange& range) {
@@ -190,4 +181,4 @@ void expect_sound(Report& report, const DisparityMap& map, cv::Size size) {
 Threads::Threads(int count) : before_(omp_get_max_threads()) { omp_set_num_threads(count); }
 Threads::~Threads() { omp_set_num_threads(before_); }
 
-}  // namespace xgm::testing
+}  // namespace xgm::testing::detail

@@ -12,7 +12,7 @@
 #include "xgm/stage/context.hpp"
 #include "xgm/testing/contract.hpp"
 
-namespace xgm::testing {
+namespace xgm::testing::detail {
 
 /// Collects violations; each rule is told once per input.
 class Report {
@@ -49,7 +49,8 @@ ImagePair with_levels_under_masks(const ImagePair& pair, float level);
 /// A number in [0, 1) that depends on all arguments and nothing else.
 double chance(std::uint64_t key, int y, int x, int d = 0);
 
-using Bytes = std::vector<std::uint8_t>;
+/// Raw bytes, to compare with ==.
+using Bytes = std::string;
 Bytes bytes_of(const Image& image);
 Bytes bytes_of(const ImagePair& pair);
 Bytes bytes_of(const DisparityMap& map);
@@ -88,4 +89,4 @@ auto run_with_threads(Report& report, const Run& run) {
   return result;
 }
 
-}  // namespace xgm::testing
+}  // namespace xgm::testing::detail

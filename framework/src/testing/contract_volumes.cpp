@@ -3,6 +3,9 @@
 #include "testing/contract_cells.hpp"
 
 namespace xgm::testing {
+
+using namespace detail;
+
 namespace {
 
 bool can_match(const ImagePair& pair, int y, int x, int d) {
