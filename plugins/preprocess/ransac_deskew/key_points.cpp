@@ -12,9 +12,11 @@ namespace {
 // SIFT keeps some thirty floats per pixel. Tiles bound that for images of any size, and spread the
 // key points over the image, which a linear model needs more than the very best ones.
 constexpr int kTile = 1024;
-constexpr int kTileMargin = 32;  // so that key points near a tile's border are not lost
-constexpr int kSmallest = 16;    // pixels; nothing to find in less
-constexpr int kMaskMargin = 8;   // pixels; the edge of a mask is no feature of the scene
+constexpr int kTileMargin = 32;     // so that key points near a tile's border are not lost
+constexpr int kSmallest = 16;       // pixels; nothing to find in less
+constexpr double kContrast = 0.01;  // below SIFT's 0.04: dark images have key points, too, and the
+                                    // count keeps the strongest
+constexpr int kMaskMargin = 8;      // pixels; the edge of a mask is no feature of the scene
 
 struct KeyPoints {
   std::vector<cv::Point2f> at;
@@ -62,7 +64,7 @@ KeyPoints detect(const Image& image, int count) {
   if (std::min(size.width, size.height) < kSmallest) return found;
   const View view = prepare(image);
   const int columns = (size.width + kTile - 1) / kTile, rows = (size.height + kTile - 1) / kTile;
-  const auto sift = cv::SIFT::create(std::max(1, count / (columns * rows)));
+  const auto sift = cv::SIFT::create(std::max(1, count / (columns * rows)), 3, kContrast);
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; ++column) {
       const cv::Point from(size.width * column / columns, size.height * row / rows);

