@@ -12,8 +12,17 @@ namespace {
 
 /// Plugins that need more than their name, because a stage inside has no default.
 const std::map<std::string, std::string>& configurations() {
+  static const std::string semi_global =
+      "{type: semi_global, cost: census, penalty: constant, aggregation: sgm}";
   static const std::map<std::string, std::string> table{
-      {"cost/weighted_sum", "{type: weighted_sum, costs: [census, absolute_difference]}"},
+      {"cost/weighted_sum",
+       "{type: weighted_sum, costs: [census, absolute_difference], weights: [1, 1]}"},
+      {"matcher/semi_global", semi_global},
+      {"matcher/left_right", "{type: left_right, matcher: " + semi_global + "}"},
+      {"matcher/pyramid",
+       "{type: pyramid, scale: 4, search_range: min_max, matcher: {type: "
+       "left_right, matcher: " +
+           semi_global + "}}"},
   };
   return table;
 }
