@@ -21,7 +21,6 @@ std::optional<std::uint64_t> number_behind(const std::string& file, const std::s
   while (stream >> word) {
     std::uint64_t number = 0;
     if (word == key && stream >> number) return number;
-    stream.clear();
   }
   return std::nullopt;
 }
