@@ -16,8 +16,8 @@
 
 namespace xgm {
 
-/// A value given from outside the file: `path` ("matcher.scale", "postprocess[0].radius") and YAML text.
-/// Replaces or adds what stands there.
+/// A value given from outside the file: `path` ("matcher.scale", "postprocess[0].radius") and YAML
+/// text. Replaces or adds what stands there.
 struct Override {
   std::string path;
   std::string value;
@@ -58,8 +58,8 @@ XGM_API LoadedPipeline load_pipeline_text(const std::string& text, const std::st
                                           const Registry& registry,
                                           const std::vector<Override>& overrides = {});
 
-/// Makes one stage from YAML: make_stage("cost", "{type: census, window: 7}", registry). Throws Error
-/// with all diagnostics in its message.
+/// Makes one stage from YAML: make_stage("cost", "{type: census, window: 7}", registry). Throws
+/// Error with all diagnostics in its message.
 XGM_API std::shared_ptr<const Stage> make_stage(std::string_view kind, const std::string& yaml,
                                                 const Registry& registry);
 template <class Kind>

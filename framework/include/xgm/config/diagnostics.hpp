@@ -9,7 +9,8 @@
 
 namespace xgm {
 
-/// Place in a file; line and column count from 1, 0 if unknown. `file` may also name the command line.
+/// Place in a file; line and column count from 1, 0 if unknown. `file` may also name the command
+/// line.
 struct Location {
   std::string file;
   int line = 0;

@@ -46,10 +46,10 @@ struct XGM_API Field {
   Field& default_stage(std::string plugin);
 };
 
-/// A relation between parameters ("p2 must not be below p1"), checked after all fields are bound
-/// and only if none of them is faulty. `field` is where the message points.
+/// A relation between parameters ("must not be below p1"), checked after all fields are bound, if
+/// those that it is about are sound. The message is shown at the first of `fields`, after its name.
 struct Rule {
-  std::string field;
+  std::vector<std::string> fields;
   std::string message;
   std::function<bool()> holds;
 };
@@ -82,7 +82,11 @@ class XGM_API ParameterSet {
     return add_field(std::move(name), std::move(text), std::move(choice));
   }
 
-  void rule(std::string field, std::string message, std::function<bool()> holds);
+  /// `holds` may use the fields named, and no others: they are bound and in range when it is called
+  /// (a stage that is neither optional nor faulty is there).
+  ///   set.rule({"p2", "p1"}, "must not be below p1", [&p] { return p.p2 >= p.p1; });
+  void rule(std::initializer_list<std::string_view> fields, std::string message,
+            std::function<bool()> holds);
 
   const std::list<Field>& fields() const { return fields_; }
   const std::vector<Rule>& rules() const { return rules_; }

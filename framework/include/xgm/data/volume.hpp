@@ -81,7 +81,7 @@ class Volume {
 
 /// Matching costs C(p, d), 8 bit. Every cell is at most max_cost, or kNoMatch (255).
 struct CostVolume : Volume<std::uint8_t> {
-  CostVolume(VolumeShapePtr shape, int max_cost) : Volume(std::move(shape)), max_cost(max_cost) {}
+  CostVolume(VolumeShapePtr shape, int bound) : Volume(std::move(shape)), max_cost(bound) {}
   int max_cost;  ///< bound of the cost function itself, not of this image: 0 to 254
 };
 
@@ -89,8 +89,8 @@ struct CostVolume : Volume<std::uint8_t> {
 /// pixel's sums are correct up to a constant of that pixel (paths are kept small by subtracting
 /// their minimum, which changes no winner).
 struct AggregatedVolume : Volume<std::uint16_t> {
-  AggregatedVolume(VolumeShapePtr shape, int fraction_bits)
-      : Volume(std::move(shape)), fraction_bits(fraction_bits) {}
+  AggregatedVolume(VolumeShapePtr shape, int bits)
+      : Volume(std::move(shape)), fraction_bits(bits) {}
   int fraction_bits;
 };
 

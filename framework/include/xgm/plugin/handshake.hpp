@@ -36,10 +36,10 @@ struct xgm_plugin_handshake {
 #endif
 
 /// What must be equal on both sides: compiler, standard library, OpenCV, SDK.
-#define XGM_BUILD_TAG     \
-  XGM_COMPILER_TAG        \
-      ", " XGM_STDLIB_TAG \
-      ", OpenCV " XGM_TEXT(CV_VERSION_MAJOR) "." XGM_TEXT(CV_VERSION_MINOR) ", xgm " XGM_VERSION
+#define XGM_BUILD_TAG \
+  XGM_COMPILER_TAG    \
+  ", " XGM_STDLIB_TAG \
+  ", OpenCV " XGM_TEXT(CV_VERSION_MAJOR) "." XGM_TEXT(CV_VERSION_MINOR) ", xgm " XGM_VERSION
 
 /// Opens the function that adds a plugin's stages:  XGM_PLUGIN(registry) { registry.add<...>(...);
 /// } Inside the library (XGM_BUILTIN is the function's name) it defines that function; elsewhere it

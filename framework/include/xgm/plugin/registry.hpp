@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -37,6 +38,7 @@ struct LoadFailure {
   std::string file;
   std::string name;  ///< what the file calls itself, or its stem
   std::string reason;
+  std::set<std::string> provides;  ///< stages it had named before it failed
 };
 
 class XGM_API Registry {

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Builds stages from a configuration, and finds all that is wrong with it in one pass.
+#pragma once
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+
+#include "config/node.hpp"
+#include "xgm/plugin/registry.hpp"
+
+namespace xgm {
+
+class Binder {
+ public:
+  Binder(const Registry& registry, Diagnostics& diagnostics)
+      : registry_(registry), diagnostics_(diagnostics) {}
+
+  struct BoundStage {
+    std::shared_ptr<const Stage> stage;  ///< null if anything inside is faulty
+    std::string plugin;
+    nlohmann::ordered_json resolved;  ///< {"type": ..., every parameter}
+  };
+
+  /// The stage that `node` (a bare name, or a map with 'type') describes.
+  BoundStage stage(const Node& node, std::string_view kind);
+
+  struct BoundFields {
+    bool good = true;
+    nlohmann::ordered_json resolved;
+  };
+  /// Binds the entries of a map to declared fields and checks the rules. `owner` is what the fields
+  /// belong to, for messages. Keys in `skip` are not for the fields.
+  BoundFields fields(const Node& map, ParameterSet& set, const std::string& owner,
+                     const std::set<std::string>& skip = {});
+
+ private:
+  const PluginInfo* find_plugin(const Node& name, std::string_view kind);
+  std::string unknown_remedy(const std::string& name, std::string_view kind) const;
+  void report_unknown_keys(const Node& map, const ParameterSet& set, const std::string& owner,
+                           const std::set<std::string>& skip);
+  bool bind(const Field& field, const Entry* entry, const Node& map, const std::string& owner,
+            nlohmann::ordered_json& resolved);
+  bool bind_slot(const Field& field, SlotBase& slot, const Node& node, const std::string& place,
+                 nlohmann::ordered_json& resolved);
+  bool bind_list(const Field& field, const Node& node, nlohmann::ordered_json& resolved);
+  void fault(const Location& where, std::string message, std::string remedy);
+
+  const Registry& registry_;
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace xgm

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// What many tests need: stages from YAML, random inputs, thread counts, real data.
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "xgm/pipeline.hpp"
+#include "xgm/plugin.hpp"
+
+namespace xgm::testing {
+
+/// The library's own plugins.
+const Registry& builtins();
+
+/// A stage from YAML: stage<Cost>("{type: census, window: 5}"). Throws Error if it is faulty.
+template <class Kind>
+std::shared_ptr<const Kind> stage(const std::string& yaml) {
+  return make_stage<Kind>(yaml, builtins());
+}
+
+/// Reproducible random numbers (splitmix64); the same on every machine.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : state_(seed) {}
+  std::uint64_t next();
+  /// Whole number in [low, high].
+  int integer(int low, int high);
+  /// Number in [low, high).
+  double real(double low, double high);
+
+ private:
+  std::uint64_t state_;
+};
+
+/// Noise in whole grey levels 0..255; `channels` planes.
+Image random_image(cv::Size size, std::uint64_t seed, int channels = 1);
+/// Noise whose match image is the base image shifted by `disparity`, new noise at the border.
+ImagePair shifted_pair(cv::Size size, int disparity, std::uint64_t seed, int channels = 1);
+/// About `share` of the pixels are 0, the others 255.
+cv::Mat1b random_mask(cv::Size size, double share, std::uint64_t seed);
+/// Random intervals within `hull`, about a tenth of them empty.
+DisparityRange random_range(cv::Size size, Interval hull, std::uint64_t seed);
+
+/// Bitwise equality of two maps, NaN equal to NaN.
+bool identical(const DisparityMap& a, const DisparityMap& b);
+/// Bitwise equality of cells.
+bool identical(const CostVolume& a, const CostVolume& b);
+bool identical(const AggregatedVolume& a, const AggregatedVolume& b);
+
+/// Number of threads for parallel loops while it lives.
+class Threads {
+ public:
+  explicit Threads(int count);
+  ~Threads();
+  Threads(const Threads&) = delete;
+  Threads& operator=(const Threads&) = delete;
+
+ private:
+  int before_;
+};
+
+/// The folder of real data (environment variable XGM_TEST_DATA). Without it prints "SKIPPED:
+/// <what>", marks the run as skipped and returns nothing; the test case then returns.
+std::optional<std::filesystem::path> test_data(const std::string& what);
+bool was_skipped();
+
+}  // namespace xgm::testing
