@@ -11,9 +11,9 @@
 namespace xgm::testing {
 
 Outcome pipeline(const std::string& folder, const std::string& arguments,
-                 const std::string& environment) {
+                 const std::string& before) {
   const std::string errors = folder + "/stderr.txt";
-  const std::string command = "cd '" + folder + "' && " + environment +
+  const std::string command = "cd '" + folder + "' && " + before +
                               "'" XGM_PIPELINE_BINARY "' " + arguments + " 2> '" + errors +
                               "' < /dev/null";
   Outcome outcome;

@@ -12,8 +12,9 @@ struct Outcome {
   std::string errors;  ///< stderr
 };
 
-/// `arguments` go through a shell, in a folder of the test's own; `environment`: "NAME=value ".
+/// `arguments` go through a shell, in a folder of the test's own. `before` stands before the call:
+/// "NAME=value " or "ulimit ... && ".
 Outcome pipeline(const std::string& folder, const std::string& arguments,
-                 const std::string& environment = {});
+                 const std::string& before = {});
 
 }  // namespace xgm::testing
