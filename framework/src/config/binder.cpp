@@ -182,7 +182,7 @@ bool Binder::bind_list(const Field& field, const Node& node, nlohmann::ordered_j
 }
 
 void Binder::fault(const Location& where, std::string message, std::string remedy) {
-  diagnostics_.push_back({where, std::move(message), std::move(remedy)});
+  report(diagnostics_, where, std::move(message), std::move(remedy));
 }
 
 }  // namespace xgm

@@ -94,7 +94,7 @@ class Binder {
                  node.quoted ? "remove the quotes if a number is meant" : "change the value");
   }
   bool fault(const Node& node, std::string message, std::string remedy) const {
-    diagnostics_.push_back({node.where, std::move(message), std::move(remedy)});
+    report(diagnostics_, node.where, std::move(message), std::move(remedy));
     return false;
   }
 

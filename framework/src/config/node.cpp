@@ -35,6 +35,13 @@ std::string spell(const Node& node) {
   return "nothing";
 }
 
+void report(Diagnostics& diagnostics, Location where, std::string message, std::string remedy) {
+  Diagnostic& added = diagnostics.emplace_back();
+  added.where = std::move(where);
+  added.message = std::move(message);
+  added.remedy = std::move(remedy);
+}
+
 std::string to_string(const Diagnostic& diagnostic) {
   const Location& where = diagnostic.where;
   std::string text = where.file;

@@ -44,6 +44,9 @@ std::string spell(const Node& node);
 /// 'text', cut and cleaned for a one-line message.
 std::string quote(std::string_view text);
 
+/// Adds a diagnostic.
+void report(Diagnostics& diagnostics, Location where, std::string message, std::string remedy);
+
 /// Reads one YAML document. What is wrong with its syntax goes to `diagnostics`; nothing is
 /// returned then.
 std::optional<Node> read_yaml(const std::string& text, const std::string& name,

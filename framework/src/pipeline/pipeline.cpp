@@ -141,9 +141,8 @@ struct PipelineLoader {
     LoadedPipeline result;
     for (const Override& change : overrides) apply_override(root, change, diagnostics);
     if (!root.is_map()) {
-      diagnostics.push_back({{name},
-                             "a pipeline file is a map of stages, this is " + spell(root),
-                             "start with 'xgm: 1' and 'matcher: {type: ...}'"});
+      report(diagnostics, {name}, "a pipeline file is a map of stages, this is " + spell(root),
+             "start with 'xgm: 1' and 'matcher: {type: ...}'");
     } else {
       const auto impl = std::make_shared<Pipeline::Impl>();
       ParameterSet set;
@@ -178,7 +177,7 @@ LoadedPipeline load_pipeline(const std::string& file, const Registry& registry,
   text << stream.rdbuf();
   if (!stream) {
     LoadedPipeline unread;
-    unread.diagnostics.push_back({{file}, "cannot be read", "check the path and the permissions"});
+    report(unread.diagnostics, {file}, "cannot be read", "check the path and the permissions");
     return unread;
   }
   return load_pipeline_text(text.str(), file, registry, overrides);

@@ -72,7 +72,7 @@ Json stage_schema(const std::string& kind, const Registry& registry) {
     map["description"] = plugin->summary;
     alternatives.push_back(std::move(map));
   }
-  if (!names.empty()) alternatives.insert(alternatives.begin(), {{"enum", std::move(names)}});
+  if (!names.empty()) alternatives.insert(alternatives.begin(), Json{{"enum", std::move(names)}});
   if (alternatives.empty()) return {{"not", Json::object()}};
   return {{"anyOf", std::move(alternatives)}};
 }

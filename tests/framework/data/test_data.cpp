@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// Ranges, shapes and maps.
+#include <cmath>
+#include <set>
+
+#include "support/support.hpp"
+
+using namespace xgm;
+
+TEST_CASE("the reverse of a uniform range is its negative") {
+  const auto range = DisparityRange::uniform({5, 4}, {-2, 7});
+  CHECK(range.reversed().is_uniform());
+  CHECK(range.reversed().hull() == Interval{-6, 3});
+  CHECK(range.reversed().reversed().hull() == range.hull());
+}
+
+TEST_CASE("the reverse of range maps is the hull of all that points at a pixel") {
+  const cv::Size size(13, 5);
+  const auto range = xgm::testing::random_range(size, {-9, 20}, 3);
+  const auto reverse = range.reversed();
+  for (int y = 0; y < size.height; ++y) {
+    for (int q = 0; q < size.width; ++q) {
+      std::set<int> reached;
+      for (int x = 0; x < size.width; ++x) {
+        if (range.at(y, x).contains(x - q)) reached.insert(q - x);
+      }
+      const Interval expected =
+          reached.empty() ? Interval{} : Interval{*reached.begin(), *reached.rbegin() + 1};
+      CHECK(reverse.at(y, q) == expected);
+    }
+  }
+}
+
+TEST_CASE("a shape lays pixels out one after the other, masked and empty ones without cells") {
+  const cv::Size size(7, 6);
+  const auto range = xgm::testing::random_range(size, {-5, 9}, 8);
+  const cv::Mat1b mask = xgm::testing::random_mask(size, 0.3, 9);
+  const VolumeShape shape(range, mask);
+  std::int64_t next = 0;
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      const Interval interval = mask(y, x) != 0 ? range.at(y, x) : Interval{};
+      CHECK(shape.offset(y, x) == next);
+      CHECK(shape.count(y, x) == interval.size());
+      if (!interval.empty()) CHECK(shape.begin(y, x) == interval.begin);
+      next += interval.size();
+    }
+  }
+  CHECK(shape.cells() == next);
+}
+
+TEST_CASE("a volume may have more cells than 32 bits count") {
+  const VolumeShape shape(DisparityRange::uniform({3000, 3000}, {0, 300}));
+  CHECK(shape.cells() == 2'700'000'000);
+  CHECK(shape.offset(2999, 2999) == 2'700'000'000 - 300);
+}
+
+TEST_CASE("a disparity is finite exactly where the status says so") {
+  DisparityMap map({3, 2});
+  CHECK(map.valid_share() == 0);
+  map.set(0, 1, -4.5f);
+  map.set(1, 2, 3, Status::filled);
+  CHECK(map.valid_share() == doctest::Approx(2.0 / 6));
+  map.invalidate(0, 1, Status::peak);
+  CHECK(std::isnan(map.disparity(0, 1)));
+  CHECK(map.at(0, 1) == Status::peak);
+  const DisparityMap copy = map.clone();
+  map.set(1, 2, 9);
+  CHECK(copy.disparity(1, 2) == 3);
+  for (int s = 0; s < kStatusCount; ++s) CHECK(!to_string(static_cast<Status>(s)).empty());
+}
+
+TEST_CASE("grey is the luma of blue, green, red") {
+  Image image;
+  for (const float value : {10.f, 20.f, 30.f}) image.planes.emplace_back(1, 1, value);
+  CHECK(image.grey()(0, 0) == doctest::Approx(0.114 * 10 + 0.587 * 20 + 0.299 * 30));
+}
