@@ -34,17 +34,22 @@ std::vector<Include> includes(const std::string& text) {
   return found;
 }
 
-/// Level of an SDK header ("xgm/..."); a header may include those of lower levels and those of its
-/// own group.
+/// Level of a header ("xgm/..."). It may include those of lower levels and those of its own group.
 struct Layer {
   std::string beginning;
   int level;
+  std::string group;
 };
 
 const Layer* layer_of(const std::string& header) {
   static const std::vector<Layer> layers{
-      {"xgm/base/", 0},  {"xgm/data/", 1}, {"xgm/config/", 1},  {"xgm/stage/", 2},
-      {"xgm/plugin", 3}, {"xgm/io/", 4},   {"xgm/pipeline", 4}, {"xgm/testing/", 5}};
+      {"xgm/base/", 0, "base"},         {"xgm/data/", 1, "data"},
+      {"xgm/config/", 1, "config"},     {"xgm/stage/", 2, "stage"},
+      {"xgm/plugin.hpp", 3, "plugin"},  {"xgm/plugin/", 3, "plugin"},
+      {"xgm/io/", 4, "facade"},         {"xgm/pipeline.hpp", 4, "facade"},
+      {"xgm/lookup.hpp", 4, "facade"},  {"xgm/memory.hpp", 4, "facade"},
+      {"xgm/metrics.hpp", 4, "facade"}, {"xgm/run_record.hpp", 4, "facade"},
+      {"xgm/testing/", 5, "testing"}};
   for (const Layer& layer : layers)
     if (header.starts_with(layer.beginning)) return &layer;
   return nullptr;
@@ -63,8 +68,8 @@ Complaint judge_sdk(const std::string& file, const Include& include) {
   const Layer* to = layer_of(include.target);
   if (from == nullptr) return "this folder has no place in the layers; add it to the rules";
   if (to == nullptr) return "an SDK header may include SDK headers only";
-  if (to == from || to->level < from->level) return {};
-  return "the layer " + from->beginning + " lies below " + to->beginning;
+  if (to->group == from->group || to->level < from->level) return {};
+  return "the layer " + from->group + " does not lie above " + to->group;
 }
 
 /// "plugins/<kind>/<name>/" of a file in it.
@@ -95,9 +100,9 @@ Complaint judge_framework(const Include& include) {
 
 Complaint judge_app(const std::string& file, const Include& include, const Tree& tree) {
   if (!include.quoted) return {};
-  static const std::vector<std::string> open{"xgm/pipeline.hpp",
-                                             "xgm/io/",
-                                             "xgm/data/",
+  const Layer* layer = layer_of(include.target);
+  if (layer != nullptr && layer->group == "facade") return {};
+  static const std::vector<std::string> open{"xgm/data/",
                                              "xgm/base/",
                                              "xgm/config/diagnostics.hpp",
                                              "xgm/plugin/registry.hpp",
@@ -109,7 +114,7 @@ Complaint judge_app(const std::string& file, const Include& include, const Tree&
   if (include.target.find("..") == std::string::npos &&
       (tree.contains(folder + include.target) || include.target.starts_with(folder)))
     return {};
-  return "an application may use pipeline.hpp, what it needs, and its own files only";
+  return "an application may use the facade, the data it handles, and its own files only";
 }
 
 Complaint judge(const std::string& file, const Include& include, const Tree& tree) {

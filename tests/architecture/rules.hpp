@@ -15,7 +15,8 @@ using Faults = std::vector<std::string>;
 /// The sources below framework, plugins, apps and tests.
 Tree read_tree(const std::string& top);
 
-/// Includes that point up the list apps > pipeline.hpp, io > plugin > stage > data, config > base,
+/// Includes that point up the list apps > facade (pipeline.hpp, io ...) > plugin > stage > data,
+/// config > base,
 /// from one plugin to another, into private folders, or to libraries that must stay inside.
 Faults forbidden_includes(const Tree& tree);
 /// Headers that include themselves by way of others.

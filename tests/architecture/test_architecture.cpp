@@ -71,6 +71,9 @@ TEST_CASE("architecture rules: SDK layers may include lower ones only") {
   check_forbidden(sdk + "pipeline.hpp", "\"xgm/testing/synthetic.hpp\"");
   check_forbidden(sdk + "stage/a.hpp", "\"config/node.hpp\"");
   check_allowed(sdk + "pipeline.hpp", "\"xgm/plugin/registry.hpp\"");
+  check_forbidden(sdk + "new_folder/a.hpp", "\"xgm/base/error.hpp\"");
+  check_forbidden(sdk + "data/a.hpp", "\"xgm/metrics.hpp\"");
+  check_allowed(sdk + "run_record.hpp", "\"xgm/io/scene.hpp\"");
   check_allowed(sdk + "plugin.hpp", "\"xgm/plugin/handshake.hpp\"");
   check_allowed(sdk + "stage/a.hpp", "\"xgm/stage/b.hpp\"");
   check_allowed(sdk + "testing/a.hpp", "\"xgm/stage/cost.hpp\"");
