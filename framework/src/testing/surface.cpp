@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "xgm/testing/random.hpp"
+#include "testing/random.hpp"
 
-namespace xgm::testing {
+namespace xgm::testing::detail {
 namespace {
 
 double lattice(std::uint64_t key, std::int64_t x, std::int64_t y) {
@@ -76,4 +76,4 @@ Sight look_match(const std::vector<Surface>& surfaces, double x_match, double y)
   return nearest;
 }
 
-}  // namespace xgm::testing
+}  // namespace xgm::testing::detail

@@ -8,7 +8,7 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
-namespace xgm::testing {
+namespace xgm::testing::detail {
 
 /// d(x, y) = d + slope_x * (x - centre.x) + slope_y * (y - centre.y), slope_x < 1: closed under the
 /// change of view, so that both views are exact.
@@ -54,4 +54,4 @@ Sight look_base(const std::vector<Surface>& surfaces, double x, double y);
 /// What the match view shows at (x_match, y), rows aligned.
 Sight look_match(const std::vector<Surface>& surfaces, double x_match, double y);
 
-}  // namespace xgm::testing
+}  // namespace xgm::testing::detail

@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "testing/random.hpp"
 #include "testing/surface.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/base/parallel.hpp"
-#include "xgm/testing/random.hpp"
 
 namespace xgm::testing {
+
+using namespace detail;
+
 namespace {
 
 constexpr double kSteepest = 0.25;  // disparity per pixel; keeps textures recognisable

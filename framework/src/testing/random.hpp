@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace xgm::testing {
+namespace xgm::testing::detail {
 
 /// Steele, Lea, Flood: Fast splittable pseudorandom number generators (OOPSLA 2014), "SplitMix64".
 constexpr std::uint64_t mix(std::uint64_t z) {
@@ -41,4 +41,4 @@ class Random {
   std::uint64_t state_;
 };
 
-}  // namespace xgm::testing
+}  // namespace xgm::testing::detail
