@@ -16,6 +16,9 @@ bool parse_whole(std::string_view text, int& number) {
          number >= -kLargestDisparity && number <= kLargestDisparity;
 }
 
+/// The check without its note in the help text, where the type says FILE already.
+CLI::Validator existing_file() { return CLI::Validator(CLI::ExistingFile).description(""); }
+
 void add_inputs(CLI::App& command, RunOptions& options) {
   command
       .add_option("pipeline", options.pipeline,
@@ -34,7 +37,7 @@ void add_inputs(CLI::App& command, RunOptions& options) {
   auto* right_mask =
       command.add_option("--right-mask", options.images.right_mask, "The same for the right one");
   for (auto* option : {left, right, left_mask, right_mask}) {
-    option->type_name("FILE")->check(CLI::ExistingFile);
+    option->type_name("FILE")->check(existing_file());
   }
   left->needs(right)->excludes(scene);
   right->needs(left);
@@ -61,7 +64,7 @@ void add_truth(CLI::App& command, RunOptions& options) {
                                 "True disparities to compare with: PFM, or 8- or 16-bit PNG (0 = "
                                 "none)")
                     ->type_name("FILE")
-                    ->check(CLI::ExistingFile);
+                    ->check(existing_file());
   command
       .add_option("--truth-scale", options.truth_scale,
                   "What the truth's values are divided by to give px (KITTI: 256)")
@@ -72,7 +75,7 @@ void add_truth(CLI::App& command, RunOptions& options) {
       .add_option("--truth-mask", options.truth_mask,
                   "Image that is 255 where the map is judged (Middlebury: mask0nocc.png)")
       ->type_name("FILE")
-      ->check(CLI::ExistingFile)
+      ->check(existing_file())
       ->needs(truth);
 }
 

@@ -124,7 +124,7 @@ TEST_CASE("run: range maps, masks and --dump") {
 
 TEST_CASE("run: mistakes of usage are exit 2, before anything is written") {
   const Desk desk;
-  check_usage(desk.run(""), "PIPELINE");
+  check_usage(desk.run(""), "pipeline is required");
   check_usage(desk.run("tmgm61 scene"), "did you mean 'tmgm16.yaml'?");
   check_usage(desk.run("scene p.yaml"), "the pipeline comes first");
   check_usage(desk.run("p.yaml nowhere"), "no such folder");

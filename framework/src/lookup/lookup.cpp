@@ -45,7 +45,7 @@ std::string find_pipeline(const std::string& name, const std::string& folder) {
   const std::string guess = suggest(bare.ends_with(kEnding) ? bare : bare + kEnding, names, "");
   throw Error("'" + name + "' is neither a file nor a shipped pipeline; " +
               (guess.starts_with("did you mean") ? guess + " " : "") +
-              "shipped are: " + join(names));
+              (names.empty() ? "none are shipped in " + folder : "shipped are: " + join(names)));
 }
 
 std::vector<const PluginInfo*> find_plugins(const std::string& name, const Registry& registry) {

@@ -48,7 +48,7 @@ TEST_CASE("pictures of any size can be made: 1 x 1, empty of disparities, all eq
 
 TEST_CASE("status picture: one colour per status; shares add up to one") {
   DisparityMap map({kStatusCount, 2});
-  for (int x = 0; x < kStatusCount; ++x) map.status.col(x) = x;
+  for (int x = 0; x < kStatusCount; ++x) map.status.col(x) = static_cast<uchar>(x);
   const cv::Mat3b picture = status_picture(map);
   for (int a = 0; a < kStatusCount; ++a) {
     for (int b = a + 1; b < kStatusCount; ++b) CHECK(picture(0, a) != picture(0, b));
