@@ -4,10 +4,11 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <opencv2/core/utility.hpp>
-#include <sstream>
+#include <string>
 
 #include "config/binder.hpp"
 #include "config/overrides.hpp"
@@ -69,7 +70,7 @@ class ThreadLimit {
   explicit ThreadLimit(int threads) : omp_(omp_get_max_threads()), cv_(cv::getNumThreads()) {
     if (threads <= 0) return;
     omp_set_num_threads(threads);
-    cv::setNumThreads(threads);
+    cv::setNumThreads(std::min(threads, cv::getNumberOfCPUs()));  // TBB complains of more
   }
   ~ThreadLimit() {
     omp_set_num_threads(omp_);
@@ -173,14 +174,18 @@ LoadedPipeline load_pipeline_text(const std::string& text, const std::string& na
 LoadedPipeline load_pipeline(const std::string& file, const Registry& registry,
                              const std::vector<Override>& overrides) {
   std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  if (!stream) {
+  std::string text;
+  std::array<char, 1 << 16> piece;
+  while (stream && text.size() <= kMostYamlBytes) {  // what is named by mistake may have no end
+    stream.read(piece.data(), piece.size());
+    text.append(piece.data(), static_cast<std::size_t>(stream.gcount()));
+  }
+  if (!stream.is_open() || stream.bad()) {
     LoadedPipeline unread;
     report(unread.diagnostics, {file}, "cannot be read", "check the path and the permissions");
     return unread;
   }
-  return load_pipeline_text(text.str(), file, registry, overrides);
+  return load_pipeline_text(text, file, registry, overrides);
 }
 
 std::shared_ptr<const Stage> make_stage(std::string_view kind, const std::string& yaml,
