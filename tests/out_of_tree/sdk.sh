@@ -62,7 +62,7 @@ grep -qF "$work/plugins/junk.so" run.log || fail "nobody is told of the broken f
 
 claim "a broken file that is used is named with the reason, and no image is opened (exit 2)"
 mv plugins/xgm_trim_border.so hidden.so
-echo junk >plugins/xgm_trim_border.so
+head -c 1000 "$here/sdk.sh" >plugins/xgm_trim_border.so
 status=0
 XGM_PLUGIN_PATH=$work/plugins run --output broken --left absent.png --right absent.png || status=$?
 [ $status = 2 ] || { cat run.log; fail "exit $status"; }

@@ -71,7 +71,7 @@ TEST_CASE("every way in which a plugin file can be bad has a message of its own"
       {broken("throws_number"), "threw something that is not an exception"},
       {broken("name_taken"), "there is already a filter called 'fake_filter' (built in)"},
       {broken("name_twice"), "there is already a filter called 'twin'"},
-      {folder.file("text.so", "I am a text file, renamed.\n"), "invalid ELF header"},
+      {folder.file("text.so", std::string(1000, 'x')), "invalid ELF header"},
       {folder.file("empty.so", ""), "file too short"},
       {folder.path() + "/absent.so", "there is no such file"},
   };
