@@ -6,6 +6,7 @@ aloe := build/aloe
 demo := build/demo
 pipeline := build/release/bin/pipeline
 
+.DELETE_ON_ERROR:
 .PHONY: help packages configure build demo test check format
 help:
 	@echo "make demo    match the Aloe pair with the paper's best pipeline; pictures in $(demo)/"
