@@ -16,6 +16,10 @@ class XGM_API Matcher : public Stage {
   /// Whether pixels may have different ranges. If not, a pyramid refuses this matcher, and so does
   /// a run that is given range maps.
   virtual bool accepts_range_maps() const { return true; }
+
+  /// Whether results hold the reverse map too. If so, left_right refuses this matcher: it would
+  /// match four times.
+  virtual bool gives_reverse_map() const { return false; }
 };
 
 }  // namespace xgm

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the contract checks share: a report, inputs that try a stage, and bytes to compare.
+#pragma once
+
+#include <array>
+#include <exception>
+#include <functional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "xgm/stage/context.hpp"
+#include "xgm/testing/contract.hpp"
+
+namespace xgm::testing::detail {
+
+/// Collects violations; each rule is told once per input.
+class Report {
+ public:
+  /// Runs `body` on the input called `name`; what it throws is a violation.
+  void with(const std::string& name, const std::function<void()>& body);
+  void expect(bool holds, const char* rule);
+  void expect(bool holds, const char* rule, int y, int x);
+  Violations take() { return std::move(violations_); }
+
+ private:
+  void fail(const char* rule, const std::string& place);
+
+  std::string input_;
+  std::set<std::string> told_;
+  Violations violations_;
+};
+
+/// A pair and what to search in it.
+struct Input {
+  std::string name;
+  ImagePair pair;
+  DisparityRange range;
+};
+
+/// Usual, colour, negative, wide, masked, tiny and empty images; the last ones with ragged ranges.
+std::vector<Input> inputs();
+/// A range per pixel, some empty, all within `hull`.
+DisparityRange ragged_range(cv::Size size, Interval hull);
+/// A mask with holes, and the same pair with other grey levels under it.
+cv::Mat1b mask_with_holes(cv::Size size, int phase);
+ImagePair with_levels_under_masks(const ImagePair& pair, float level);
+
+/// A number in [0, 1) that depends on all arguments and nothing else.
+double chance(std::uint64_t key, int y, int x, int d = 0);
+
+/// Raw bytes, to compare with ==.
+using Bytes = std::string;
+Bytes bytes_of(const Image& image);
+Bytes bytes_of(const ImagePair& pair);
+Bytes bytes_of(const DisparityMap& map);
+Bytes bytes_of(const MatchResult& result);
+Bytes bytes_of(const DisparityRange& range);
+Bytes bytes_of(const CostVolume& volume);
+Bytes bytes_of(const AggregatedVolume& volume);
+
+/// Whether the map has this size, and a finite disparity exactly where its status says so.
+void expect_sound(Report& report, const DisparityMap& map, cv::Size size);
+
+/// Sets thread_count() for as long as it lives.
+class Threads {
+ public:
+  explicit Threads(int count);
+  ~Threads();
+  Threads(const Threads&) = delete;
+  Threads& operator=(const Threads&) = delete;
+
+ private:
+  int before_;
+};
+
+/// What `run` returns, having seen that it does not depend on the number of threads.
+template <class Run>
+auto run_with_threads(Report& report, const Run& run) {
+  auto result = [&] {
+    const Threads one(1);
+    return run();
+  }();
+  const Bytes expected = bytes_of(result);
+  for (const int count : {2, 3, 8}) {
+    const Threads threads(count);
+    report.expect(bytes_of(run()) == expected, "the result depends on the number of threads");
+  }
+  return result;
+}
+
+}  // namespace xgm::testing::detail

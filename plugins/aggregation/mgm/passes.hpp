@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// MGM's paths in four passes.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "plugins/aggregation/shared/pass.hpp"
+
+namespace xgm::mgm {
+
+/// A quarter of the directions: an axis, a diagonal, two knight's moves. Those for which both p - r
+/// and p - r-perp are visited before p in a pass down the rows, each from left to right. The other
+/// quarters are the same turned by right angles, passes and all.
+inline constexpr std::array<Direction, 4> kQuarter{{{0, 1}, {-1, 1}, {-2, 1}, {-1, 2}}};
+
+static_assert(std::ranges::all_of(kQuarter, [](Direction r) {
+  return aggregation::comes_earlier(r, {1, 0}, {0, 1}) &&
+         aggregation::comes_earlier(aggregation::anticlockwise(r), {1, 0}, {0, 1});
+}));
+
+/// Down the rows, right along the columns, up the rows, left along the columns. `directions`: 4, 8
+/// or 16.
+inline std::vector<aggregation::Pass> passes(int directions) {
+  std::vector<aggregation::Pass> all;
+  std::array<Direction, 4> quarter = kQuarter;
+  Direction along{1, 0}, across{0, 1};
+  for (int turn = 0; turn < 4; ++turn) {
+    aggregation::Pass& pass = all.emplace_back(aggregation::Pass{along, across, {}});
+    for (int i = 0; i < directions / 4; ++i) {
+      const Direction r = quarter[static_cast<std::size_t>(i)];
+      pass.paths.push_back({{r, aggregation::anticlockwise(r)}});
+    }
+    std::ranges::transform(quarter, quarter.begin(), aggregation::anticlockwise);
+    along = aggregation::anticlockwise(along);
+    across = aggregation::anticlockwise(across);
+  }
+  return all;
+}
+
+}  // namespace xgm::mgm

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// SGM's paths in two passes over the rows.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "plugins/aggregation/shared/pass.hpp"
+
+namespace xgm::sgm {
+
+/// The directions whose p - r comes before p in row-major order: axes, then diagonals, then
+/// knight's moves. The other half are their negatives.
+inline constexpr std::array<Direction, 8> kForward{
+    {{1, 0}, {0, 1}, {1, 1}, {-1, 1}, {1, 2}, {2, 1}, {-1, 2}, {-2, 1}}};
+
+static_assert(std::ranges::all_of(kForward, [](Direction r) {
+  return aggregation::comes_earlier(r, {1, 0}, {0, 1});
+}));
+
+/// One pass down the rows, from left to right, and one up, from right to left. `directions`: 4, 8
+/// or 16.
+inline std::vector<aggregation::Pass> passes(int directions) {
+  aggregation::Pass forward{{1, 0}, {0, 1}, {}};
+  aggregation::Pass backward{{-1, 0}, {0, -1}, {}};
+  for (int i = 0; i < directions / 2; ++i) {
+    const Direction r = kForward[static_cast<std::size_t>(i)];
+    forward.paths.push_back({{r}});
+    backward.paths.push_back({{Direction{-r.dx, -r.dy}}});
+  }
+  return {forward, backward};
+}
+
+}  // namespace xgm::sgm

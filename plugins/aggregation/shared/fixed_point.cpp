@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugins/aggregation/shared/fixed_point.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+#include "xgm/base/error.hpp"
+
+namespace xgm::aggregation {
+namespace {
+
+constexpr std::int64_t kLargestSum = AggregatedVolume::kNoMatch - 1;
+
+std::int64_t largest_sum(const Bounds& bounds) {
+  return std::int64_t{bounds.cost_weight} * bounds.max_cost + std::int64_t{bounds.paths} * bounds.p2;
+}
+
+void include_penalties(const PenaltyTable& table, Bounds& bounds) {
+  for (const PenaltyPair& pair : table.entries) {
+    if (pair.p1 < 0 || pair.p2 < pair.p1)
+      throw Error("the penalties P1 = " + std::to_string(pair.p1) + ", P2 = " +
+                  std::to_string(pair.p2) + " do not hold 0 <= P1 <= P2; correct the penalty stage");
+    bounds.p1 = std::max(bounds.p1, pair.p1);
+    bounds.p2 = std::max(bounds.p2, pair.p2);
+  }
+}
+
+}  // namespace
+
+Bounds find_bounds(const CostVolume& costs, const PenaltyField& penalties,
+                   const std::vector<Pass>& passes, bool overcounting_correction) {
+  Bounds bounds;
+  bounds.max_cost = costs.max_cost;
+  for (const Pass& pass : passes) {
+    for (const Path& path : pass.paths) {
+      ++bounds.paths;
+      bounds.has_means = bounds.has_means || path.steps.size() > 1;
+      for (const Direction step : path.steps) include_penalties(penalties.table(step), bounds);
+    }
+  }
+  bounds.cost_weight = overcounting_correction ? 1 : bounds.paths;
+  return bounds;
+}
+
+int choose_fraction_bits(const Bounds& bounds) {
+  const std::int64_t sum = largest_sum(bounds);
+  if (sum > kLargestSum) {
+    const std::int64_t room = kLargestSum - std::int64_t{bounds.cost_weight} * bounds.max_cost;
+    throw Error("sums of " + std::to_string(bounds.paths) + " directions with P2 = " +
+                std::to_string(bounds.p2) + " do not fit 16 bit; lower P2 to at most " +
+                std::to_string(room / bounds.paths) + ", or take fewer directions");
+  }
+  if (!bounds.has_means || sum == 0) return 0;
+  int bits = 0;
+  while (sum << (bits + 1) <= kLargestSum) ++bits;
+  return bits;
+}
+
+bool fits_8_bit(const Bounds& bounds) {
+  return bounds.max_cost + 2 * std::int64_t{bounds.p2} + bounds.p1 <
+         std::numeric_limits<std::uint8_t>::max();
+}
+
+}  // namespace xgm::aggregation

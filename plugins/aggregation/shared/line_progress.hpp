@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tells how far parallel work has come, and brings its exceptions home.
+#pragma once
+
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include "xgm/stage/context.hpp"
+
+namespace xgm::aggregation {
+
+/// Counts lines that any thread has finished. An observer may be told from the thread that runs
+/// the pipeline only: so that thread, which works on lines like the others, tells after each of its
+/// own lines.
+class LineProgress {
+ public:
+  LineProgress(Context context, int lines) : context_(std::move(context)), lines_(lines) {}
+
+  void line_finished() {
+    const int finished = ++finished_;
+    if (std::this_thread::get_id() == home_) context_.progress(double(finished) / lines_);
+  }
+
+ private:
+  Context context_;
+  int lines_;
+  std::atomic<int> finished_ = 0;
+  std::thread::id home_ = std::this_thread::get_id();
+};
+
+/// Runs pieces of work where exceptions must not leave: keeps the first one and skips what follows.
+class ExceptionKeeper {
+ public:
+  template <class Work>
+  void run(Work&& work) noexcept {
+    if (failed_) return;
+    try {
+      std::forward<Work>(work)();
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      if (!failed_.exchange(true)) failure_ = std::current_exception();
+    }
+  }
+  void rethrow() const {
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::atomic<bool> failed_ = false;
+  std::exception_ptr failure_;
+};
+
+}  // namespace xgm::aggregation

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// The parameters that all path-wise aggregations have.
+#pragma once
+
+#include "xgm/config/parameters.hpp"
+
+namespace xgm::aggregation {
+
+struct PathParameters {
+  int directions = 8;
+  bool overcounting_correction = true;
+};
+
+void describe(PathParameters& parameters, ParameterSet& set);
+
+}  // namespace xgm::aggregation

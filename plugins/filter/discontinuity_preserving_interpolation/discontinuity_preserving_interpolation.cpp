@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// Fills holes from the disparities around them without smearing edges: occluded pixels from the
+// background, all others from the middle of what is seen along the paths.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "plugins/filter/discontinuity_preserving_interpolation/occlusions.hpp"
+#include "plugins/filter/discontinuity_preserving_interpolation/paths.hpp"
+#include "xgm/plugin.hpp"
+
+namespace {
+
+namespace dpi = xgm::discontinuity_preserving_interpolation;
+using xgm::DisparityMap;
+using xgm::Status;
+
+constexpr std::size_t kMaxDirections = 16;
+
+/// Pixels without a disparity that have image data.
+cv::Mat1b fillable(const DisparityMap& map) {
+  cv::Mat1b mask(map.size(), 0);
+  for (int y = 0; y < mask.rows; ++y) {
+    for (int x = 0; x < mask.cols; ++x) {
+      mask(y, x) = !map.valid(y, x) && map.at(y, x) != Status::masked ? 255 : 0;
+    }
+  }
+  return mask;
+}
+
+class Interpolation final : public xgm::Filter {
+ public:
+  enum class Background { lowest, highest };
+  struct Parameters {
+    int directions = 8;
+    Background background = Background::lowest;
+    bool spread_occlusions = true;
+  };
+  static void describe(Parameters& p, xgm::ParameterSet& set) {
+    set.add_choice("directions", p.directions,
+                   "Paths along which each hole looks for disparities; 16 adds knight's moves.",
+                   {{"8", 8}, {"16", 16}});
+    set.add_choice("background", p.background,
+                   "Which disparities are the far ones: the lowest in a left view, the highest in "
+                   "a right view (a reverse map) or where the images were given the other way round.",
+                   {{"lowest", Background::lowest}, {"highest", Background::highest}});
+    set.add("spread_occlusions", p.spread_occlusions,
+            "Whether areas of mismatched pixels that touch an occluded pixel are filled like "
+            "occluded ones.");
+  }
+  explicit Interpolation(Parameters p) : p_(p) {}
+
+  DisparityMap run(const DisparityMap& map, const xgm::ImagePair&,
+                   const xgm::Context&) const override {
+    const dpi::Holes holes(fillable(map));
+    const cv::Mat1b occluded = dpi::occlusions(map, p_.spread_occlusions);
+    const std::vector<cv::Point> steps = dpi::path_steps(p_.directions);
+    std::vector<std::vector<float>> seen(steps.size());
+    xgm::parallel_for(0, static_cast<int>(steps.size()), [&](int i) {
+      const auto k = static_cast<std::size_t>(i);
+      seen[k] = dpi::first_along(map.disparity, holes, steps[k]);
+    });
+    DisparityMap filled = map.clone();
+    xgm::parallel_for(0, map.size().height, [&](int y) {
+      std::size_t hole = holes.row_begin[static_cast<std::size_t>(y)];
+      for (int x = 0; x < map.size().width; ++x) {
+        if (holes.mask(y, x) == 0) continue;
+        const float value = combine(seen, hole++, occluded(y, x) != 0);
+        if (!std::isnan(value)) filled.set(y, x, value, Status::filled);
+      }
+    });
+    return filled;
+  }
+
+ private:
+  /// Of the values seen from a hole, ordered from the background: the second if it is occluded,
+  /// else the middle one (of two, the one nearer the background: a mean would lie on no surface).
+  /// The only one if there is one, NaN if none.
+  float combine(const std::vector<std::vector<float>>& seen, std::size_t hole, bool occluded) const {
+    const float sign = p_.background == Background::lowest ? 1.0F : -1.0F;
+    std::array<float, kMaxDirections> values{};
+    std::size_t n = 0;
+    for (const std::vector<float>& along : seen) {
+      if (!std::isnan(along[hole])) values[n++] = sign * along[hole];
+    }
+    if (n == 0) return std::numeric_limits<float>::quiet_NaN();
+    std::sort(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(n));
+    return sign * values[occluded ? std::min<std::size_t>(1, n - 1) : (n - 1) / 2];
+  }
+
+  Parameters p_;
+};
+
+}  // namespace
+
+XGM_PLUGIN(registry) {
+  registry.add<Interpolation>(
+      "discontinuity_preserving_interpolation",
+      "Fills holes along paths: occluded pixels with the second lowest disparity seen, all others "
+      "with the median; masked pixels stay empty.",
+      "Hirschmueller, Stereo processing by semiglobal matching and mutual information, PAMI 2008, "
+      "section on discontinuity preserving interpolation");
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Matches both views and keeps what agrees.
+#include "xgm/plugin.hpp"
+
+namespace {
+
+/// The inner matcher runs on the pair and on the swapped pair; the consistency stage compares the
+/// two maps (the paper's Eq. 5).
+class LeftRight final : public xgm::Matcher {
+ public:
+  struct Parameters {
+    xgm::Slot<xgm::Matcher> matcher;
+    xgm::Slot<xgm::Consistency> consistency;
+  };
+
+  static void describe(Parameters& p, xgm::ParameterSet& set) {
+    set.add("matcher", p.matcher, "Matches one view; is run once for each of the two.");
+    set.add("consistency", p.consistency, "Decides which disparities of the two maps agree.")
+        .default_stage("lrrl");
+    set.rule({"matcher"}, "already matches both views; remove one of the two left_right",
+             [&p] { return !p.matcher->gives_reverse_map(); });
+  }
+
+  explicit LeftRight(Parameters parameters) : stages_(std::move(parameters)) {}
+
+  bool accepts_range_maps() const override { return stages_.matcher->accepts_range_maps(); }
+  bool gives_reverse_map() const override { return true; }
+
+  xgm::MatchResult run(const xgm::MatchRequest& request,
+                       const xgm::Context& context) const override {
+    const xgm::MatchRequest forward{request.pair, request.range, std::nullopt};
+    const xgm::MatchRequest reverse{
+        request.pair.swapped(),
+        request.reverse_range ? *request.reverse_range : request.range.reversed(), std::nullopt};
+    xgm::MatchResult both;
+    both.forward = stages_.matcher(context.part(0, 0.49).scope("forward"), forward).forward;
+    both.reverse = stages_.matcher(context.part(0.49, 0.98).scope("reverse"), reverse).forward;
+    return stages_.consistency(context.part(0.98, 1), both);
+  }
+
+ private:
+  Parameters stages_;
+};
+
+}  // namespace
+
+XGM_PLUGIN(registry) {
+  registry.add<LeftRight>(
+      "left_right",
+      "Runs a matcher from left to right and from right to left and keeps the disparities that "
+      "agree.",
+      "H. Hirschmueller: Stereo processing by semiglobal matching and mutual information, IEEE "
+      "TPAMI 30(2), 2008.");
+}

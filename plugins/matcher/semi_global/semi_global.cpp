@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// The chain inside a single-scale matcher: cost, aggregation, selection, refinement, filters.
+#include "plugins/matcher/semi_global/matchable.hpp"
+#include "xgm/plugin.hpp"
+
+namespace {
+
+/// Matches one direction at one scale (the paper's Algorithms 1 and 2, one half of each).
+/// Range maps are cut to what lies inside the match image: it changes no result, and in a pyramid
+/// the pixels that search everything sit mostly at the border where little of it can match. A
+/// uniform range stays as it is, so that aggregations see a dense volume.
+class SemiGlobal final : public xgm::Matcher {
+ public:
+  struct Parameters {
+    xgm::Slot<xgm::Cost> cost;
+    xgm::Slot<xgm::Penalty> penalty;
+    xgm::Slot<xgm::Aggregation> aggregation;
+    xgm::Slot<xgm::Selection> selection;
+    xgm::Slot<xgm::Refinement> refinement;
+    xgm::SlotList<xgm::Filter> filters;
+  };
+
+  static void describe(Parameters& p, xgm::ParameterSet& set) {
+    set.add("cost", p.cost, "How unlike a pixel and its candidate are.");
+    set.add("penalty", p.penalty, "What a step of the disparity costs between neighbours.");
+    set.add("aggregation", p.aggregation, "How costs are summed along paths through the image.");
+    set.add("selection", p.selection, "How each pixel's disparity is chosen from the sums.")
+        .default_stage("wta");
+    set.add("refinement", p.refinement, "How disparities are refined below one pixel, if at all.")
+        .optional();
+    set.add("filters", p.filters, "What is done to the map afterwards, in this order.");
+  }
+
+  explicit SemiGlobal(Parameters parameters) : stages_(std::move(parameters)) {}
+
+  bool accepts_range_maps() const override { return stages_.aggregation->accepts_ragged_volumes(); }
+
+  xgm::MatchResult run(const xgm::MatchRequest& request,
+                       const xgm::Context& context) const override {
+    xgm::DisparityMap map = select(request, context.part(0, 0.97));
+    double share = 0.97;
+    const double step = stages_.filters.empty() ? 0 : 0.03 / double(stages_.filters.size());
+    for (const auto& filter : stages_.filters) {
+      map = filter(context.part(share, share + step), map, request.pair);
+      share += step;
+    }
+    mark_masked(map, request.pair.base);  // again, should a filter have filled them
+    return {std::move(map), std::nullopt};
+  }
+
+ private:
+  xgm::DisparityMap select(const xgm::MatchRequest& request, const xgm::Context& context) const {
+    const xgm::AggregatedVolume sums = aggregate(request, context.part(0, 0.95));
+    xgm::DisparityMap map = stages_.selection(context.part(0.95, 0.98), sums);
+    mark_masked(map, request.pair.base);
+    if (!stages_.refinement) return map;
+    return stages_.refinement(context.part(0.98, 1), map, sums);
+  }
+
+  /// A function of its own so that costs and penalties are gone before the sums are read.
+  xgm::AggregatedVolume aggregate(const xgm::MatchRequest& request,
+                                  const xgm::Context& context) const {
+    const auto penalties = stages_.penalty(context.part(0, 0.02), request.pair);
+    const xgm::CostVolume costs =
+        stages_.cost(context.part(0.02, 0.15), request.pair, shape_of(request));
+    return stages_.aggregation(context.part(0.15, 1), costs, *penalties);
+  }
+
+  xgm::VolumeShapePtr shape_of(const xgm::MatchRequest& request) const {
+    const cv::Mat1b& valid = request.pair.base.valid;
+    const xgm::DisparityRange& range = request.range;
+    const bool ragged =
+        !range.is_uniform() || (!valid.empty() && cv::countNonZero(valid) < int(valid.total()));
+    if (ragged && !accepts_range_maps()) {
+      throw xgm::Error(
+          "this aggregation needs the same disparities at every pixel, but the image is masked or "
+          "the search range is a map; use another aggregation");
+    }
+    return std::make_shared<const xgm::VolumeShape>(
+        range.is_uniform() ? range : xgm::semi_global::matchable(range), valid);
+  }
+
+  static void mark_masked(xgm::DisparityMap& map, const xgm::Image& base) {
+    if (base.valid.empty()) return;
+    for (int y = 0; y < map.size().height; ++y) {
+      for (int x = 0; x < map.size().width; ++x) {
+        if (!base.is_valid(y, x)) map.invalidate(y, x, xgm::Status::masked);
+      }
+    }
+  }
+
+  Parameters stages_;
+};
+
+}  // namespace
+
+XGM_PLUGIN(registry) {
+  registry.add<SemiGlobal>(
+      "semi_global",
+      "Matches the base view at one scale: cost, penalties, aggregation, selection, refinement and "
+      "filters.",
+      "H. Hirschmueller: Stereo processing by semiglobal matching and mutual information, IEEE "
+      "TPAMI 30(2), 2008.");
+}
