@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// The command line: every subcommand has a file of its own.
+#include <spdlog/spdlog.h>
+
+#include <opencv2/core/utils/logger.hpp>
+
+#include "common.hpp"
+#include "console.hpp"
+#include "xgm/plugin/version.hpp"
+
+int main(int argc, char** argv) {
+  using namespace xgm::cli;
+  set_up_logging("info");
+  // What OpenCV has to say of unreadable files is said better by the errors of xgm.
+  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+  CLI::App app("Dense stereo matching by pipelines of plugins.", "pipeline");
+  app.set_version_flag("--version", "xgm " XGM_VERSION);
+  app.require_subcommand(1);
+  app.footer(
+      "Exit codes: 0 done; 1 the run failed or its map is empty; 2 usage or configuration (no "
+      "image has been opened).");
+  Invocation call{{argv + 1, argv + argc}};
+  add_run(app, call);
+  add_check(app, call);
+  add_list(app, call);
+  add_describe(app, call);
+  add_graph(app, call);
+  add_schema(app, call);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kOk : kUsage;  // 0: help and version
+  } catch (const UsageError& error) {
+    spdlog::error(error.what());
+    return kUsage;
+  } catch (const std::exception& error) {
+    spdlog::error(error.what());
+    return kFailed;
+  }
+  return call.exit_code;
+}

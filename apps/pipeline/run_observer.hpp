@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shows, dumps and records what happens in a run.
+#pragma once
+
+#include "progress.hpp"
+#include "xgm/run_record.hpp"
+
+namespace xgm::cli {
+
+class RunObserver final : public RunRecorder {
+ public:
+  RunObserver(Progress& progress, Dumper& dumper) : progress_(progress), dumper_(dumper) {}
+
+  void log(LogLevel level, const std::string& stage_path, const std::string& text) override;
+  void stage_begin(const std::string& stage_path, const std::string& plugin) override;
+  void stage_end(const std::string& stage_path, const StageStatistics& statistics,
+                 const Artifact& result) override;
+  void report(const std::string& stage_path, const std::string& name, double value) override;
+  void progress(double share) override { progress_.share(share); }
+
+ private:
+  Progress& progress_;
+  Dumper& dumper_;
+};
+
+}  // namespace xgm::cli

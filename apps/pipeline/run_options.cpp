@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "run_options.hpp"
+
+#include <charconv>
+
+namespace xgm::cli {
+namespace {
+
+constexpr int kLargestDisparity = 1'000'000;
+
+/// A whole number and nothing else.
+bool parse_whole(std::string_view text, int& number) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return failure == std::errc() && end == text.data() + text.size() &&
+         number >= -kLargestDisparity && number <= kLargestDisparity;
+}
+
+void add_inputs(CLI::App& command, RunOptions& options) {
+  command
+      .add_option("pipeline", options.pipeline,
+                  "Pipeline file, or name of a shipped one (with or without .yaml)")
+      ->type_name("PIPELINE")
+      ->required();
+  auto* scene = command
+                    .add_option("scene", options.scene,
+                                "Middlebury or ETH3D folder: im0.png, im1.png, calib.txt. With "
+                                "neither scene nor images the built-in sample pair is matched")
+                    ->type_name("SCENE_DIR");
+  auto* left = command.add_option("--left", options.images.left, "Left (base) image");
+  auto* right = command.add_option("--right", options.images.right, "Right (match) image");
+  auto* left_mask = command.add_option("--left-mask", options.images.left_mask,
+                                       "Image that is not zero where the left one may be used");
+  auto* right_mask =
+      command.add_option("--right-mask", options.images.right_mask, "The same for the right one");
+  for (auto* option : {left, right, left_mask, right_mask}) {
+    option->type_name("FILE")->check(CLI::ExistingFile);
+  }
+  left->needs(right)->excludes(scene);
+  right->needs(left);
+}
+
+void add_search(CLI::App& command, RunOptions& options) {
+  auto* interval =
+      command
+          .add_option("--disparities", options.disparities,
+                      "Smallest and largest disparity to search, both included, px: 0:63, -64:64. "
+                      "Without it: 0 to ndisp - 1 of calib.txt, else 'disparities' of the pipeline")
+          ->type_name("MIN:MAX");
+  command
+      .add_option("--range-maps", options.range_maps,
+                  "Smallest and largest disparity of every pixel, both included: two PFM files; "
+                  "not finite = nothing to search")
+      ->type_name("MIN.pfm,MAX.pfm")
+      ->excludes(interval);
+}
+
+void add_truth(CLI::App& command, RunOptions& options) {
+  auto* truth = command
+                    .add_option("--truth", options.truth,
+                                "True disparities to compare with: PFM, or 8- or 16-bit PNG (0 = "
+                                "none)")
+                    ->type_name("FILE")
+                    ->check(CLI::ExistingFile);
+  command
+      .add_option("--truth-scale", options.truth_scale,
+                  "What the truth's values are divided by to give px (KITTI: 256)")
+      ->type_name("NUMBER")
+      ->check(CLI::PositiveNumber)
+      ->needs(truth);
+  command
+      .add_option("--truth-mask", options.truth_mask,
+                  "Image that is 255 where the map is judged (Middlebury: mask0nocc.png)")
+      ->type_name("FILE")
+      ->check(CLI::ExistingFile)
+      ->needs(truth);
+}
+
+}  // namespace
+
+void add_run_options(CLI::App& command, RunOptions& options) {
+  add_inputs(command, options);
+  add_search(command, options);
+  command
+      .add_option("-o,--output", options.output,
+                  "Folder for disparity.pfm, disparity.png, status.png and run.json; made if "
+                  "missing")
+      ->type_name("DIR")
+      ->capture_default_str();
+  add_set_option(command, options.assignments);
+  constexpr int kMostThreads = 1024;
+  command.add_option("--threads", options.threads, "Threads to use; without it all processors")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostThreads));
+  command
+      .add_option("--dump", options.dump,
+                  "Also write the result of every stage whose path matches (see run.json for the "
+                  "paths), to DIR/dump: '*' for all, '*.cost'")
+      ->type_name("GLOB");
+  add_truth(command, options);
+  add_plugin_options(command, options.plugins);
+  command
+      .add_option("--log-level", options.log_level,
+                  "debug, info, warning or error; progress is shown down to info")
+      ->type_name("L")
+      ->check(CLI::IsMember({"debug", "info", "warning", "error"}))
+      ->capture_default_str();
+}
+
+Interval parse_disparities(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  int first = 0, last = 0;
+  if (colon == std::string::npos || !parse_whole(text.substr(0, colon), first) ||
+      !parse_whole(text.substr(colon + 1), last)) {
+    throw UsageError("--disparities " + text + ": write MIN:MAX in whole px, for example 0:63");
+  }
+  if (first > last) {
+    throw UsageError("--disparities " + text + ": the smallest comes first; did you mean " +
+                     std::to_string(last) + ":" + std::to_string(first) + "?");
+  }
+  return {first, last + 1};
+}
+
+std::pair<std::string, std::string> parse_range_maps(const std::string& text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos || comma == 0 || comma + 1 == text.size() ||
+      text.find(',', comma + 1) != std::string::npos) {
+    throw UsageError("--range-maps " + text + ": write two file names, MIN.pfm,MAX.pfm");
+  }
+  const std::pair files(text.substr(0, comma), text.substr(comma + 1));
+  for (const std::string& file : {files.first, files.second}) {
+    const std::string problem = CLI::ExistingFile(file);
+    if (!problem.empty()) throw UsageError("--range-maps: " + problem);
+  }
+  return files;
+}
+
+}  // namespace xgm::cli

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the user asked of "pipeline run".
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "common.hpp"
+#include "xgm/io/image_io.hpp"
+
+namespace xgm::cli {
+
+struct RunOptions {
+  std::string pipeline;
+  std::string scene;
+  PairFiles images;
+  std::string disparities;
+  std::string range_maps;
+  std::string output = "xgm_output";
+  std::vector<std::string> assignments;
+  int threads = 0;
+  std::string dump;
+  std::string log_level = "info";
+  std::string truth;
+  std::string truth_mask;
+  double truth_scale = 1;
+  PluginOptions plugins;
+};
+
+void add_run_options(CLI::App& command, RunOptions& options);
+
+/// "MIN:MAX", both included. Throws UsageError.
+Interval parse_disparities(const std::string& text);
+/// "min.pfm,max.pfm". Throws UsageError.
+std::pair<std::string, std::string> parse_range_maps(const std::string& text);
+
+}  // namespace xgm::cli

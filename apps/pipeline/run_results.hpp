@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a run leaves behind: files in the output folder and a summary on stdout.
+#pragma once
+
+#include <string>
+
+#include "xgm/data/disparity_map.hpp"
+#include "xgm/run_record.hpp"
+
+namespace xgm::cli {
+
+/// Writes disparity.pfm, disparity.png, status.png and run.json. Throws Error.
+void write_results(const std::string& folder, const DisparityMap& map, const RunRecord& record);
+
+void print_summary(const std::string& folder, const RunRecord& record);
+
+/// Warns of a map with few disparities; the exit code: failed if there is none at all.
+int judge(const RunRecord& record);
+
+}  // namespace xgm::cli

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Writes what stages produce while a pipeline runs, for a look inside.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "xgm/base/export.hpp"
+#include "xgm/stage/context.hpp"
+
+namespace xgm {
+
+/// A file that a dump wrote. Volumes are dense over [first_disparity, ...): the file alone does not
+/// say where it begins.
+struct DumpedFile {
+  std::string file;
+  std::string stage_path;
+  int first_disparity = 0;  ///< volumes only
+};
+
+/// Writes results of the stages whose path matches a shell pattern ("*", "matcher.*.cost",
+/// "*filters[[]0]*"; "*" also crosses dots) or equals it:
+/// - image pairs: <path>.left.png, <path>.right.png
+/// - ranges: <path>.min.pfm, <path>.max.pfm (both included; +inf = empty)
+/// - maps: <path>.disparity.pfm, <path>.status.png; results of matchers one set per view
+/// - volumes: <path>.npy, shape (height, width, disparities) over the hull of all ranges, unsigned
+///   8 or 16 bit, the largest value = no match
+/// A stage that runs again under the same path gets ".2", ".3" and so on.
+class XGM_API Dumper {
+ public:
+  Dumper(std::string folder, std::string pattern);
+
+  bool wants(const std::string& stage_path) const;
+  /// Throws Error if a file cannot be written.
+  void write(const std::string& stage_path, const Artifact& result);
+  const std::vector<DumpedFile>& files() const { return files_; }
+
+ private:
+  std::string folder_, pattern_;
+  std::map<std::string, int> runs_;
+  std::vector<DumpedFile> files_;
+};
+
+}  // namespace xgm

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pictures of results for people.
+#pragma once
+
+#include <array>
+#include <opencv2/core.hpp>
+
+#include "xgm/base/export.hpp"
+#include "xgm/data/disparity_map.hpp"
+#include "xgm/data/image.hpp"
+
+namespace xgm {
+
+/// The map in the colours of "turbo" (blue: far, red: near), black where there is none, with a bar
+/// below that gives pixels to colours. Colours span the 1st to the 99th percentile. The map is at
+/// the top left, pixel for pixel; narrow maps get a margin so that the legend fits.
+XGM_API cv::Mat3b disparity_picture(const DisparityMap& map);
+
+/// One colour per status, with a legend of names and shares below.
+XGM_API cv::Mat3b status_picture(const DisparityMap& map);
+
+/// An image's grey levels rounded to 8 bit, pixels without data black.
+XGM_API cv::Mat3b picture(const Image& image);
+
+/// Share of pixels of each status, 0 to 1, indexed by Status.
+XGM_API std::array<double, kStatusCount> status_shares(const DisparityMap& map);
+
+}  // namespace xgm

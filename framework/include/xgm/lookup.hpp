@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Finds what a user names: shipped pipelines, plugins, kinds. Misses are answered with suggestions.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "xgm/base/export.hpp"
+#include "xgm/plugin/registry.hpp"
+
+namespace xgm {
+
+/// Names of the pipeline files (*.yaml) in a folder, sorted; none if there is no such folder.
+XGM_API std::vector<std::string> shipped_pipelines(const std::string& folder);
+
+/// A pipeline file: `name` itself if it is a file, else the one of that name in `folder`, with or
+/// without ".yaml". Throws Error that lists the names there are.
+XGM_API std::string find_pipeline(const std::string& name, const std::string& folder);
+
+/// All plugins called `name` ("census"), or the one of a kind ("cost/census"). Throws Error if
+/// there is none, saying so if a plugin file of that name could not be loaded.
+XGM_API std::vector<const PluginInfo*> find_plugins(const std::string& name,
+                                                    const Registry& registry);
+
+/// Throws Error unless there is such a kind of stage.
+XGM_API void require_kind(const std::string& kind);
+
+}  // namespace xgm

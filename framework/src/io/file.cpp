@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "xgm/io/file.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <vector>
+
+#include "xgm/base/error.hpp"
+
+namespace xgm {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::uint64_t kFnvOffset = 14695981039346656037u;
+constexpr std::uint64_t kFnvPrime = 1099511628211u;
+constexpr const char* kEmpty = ": is empty; give a complete file";
+
+std::uint64_t fnv1a64(std::uint64_t hash, std::string_view bytes) {
+  for (const char byte : bytes) {
+    hash = (hash ^ static_cast<unsigned char>(byte)) * kFnvPrime;
+  }
+  return hash;
+}
+
+std::ifstream open_to_read(const std::string& file) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(file, ignored);
+  if (!fs::exists(status)) throw Error(file + ": no such file; check the path");
+  if (fs::is_directory(status)) throw Error(file + ": is a folder; give a file");
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw Error(file + ": cannot be opened: " + std::strerror(errno));
+  return stream;
+}
+
+/// Calls body(piece) for the whole content; never holds more than one piece.
+template <class Body>
+void read_pieces(const std::string& file, Body body) {
+  std::ifstream stream = open_to_read(file);
+  std::vector<char> buffer(std::size_t{1} << 20);
+  while (stream) {
+    stream.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
+    body(std::string_view(buffer.data(), static_cast<std::size_t>(stream.gcount())));
+  }
+  if (stream.bad()) throw Error(file + ": reading failed: " + std::strerror(errno));
+}
+
+}  // namespace
+
+std::string read_file(const std::string& file, std::uint64_t limit) {
+  std::string bytes;
+  read_pieces(file, [&](std::string_view piece) {
+    if (bytes.size() + piece.size() > limit) {
+      throw Error(file + ": larger than " + std::to_string(limit) +
+                  " bytes, which no such file is; check the path");
+    }
+    bytes.append(piece);
+  });
+  if (bytes.empty()) throw Error(file + kEmpty);
+  return bytes;
+}
+
+std::string read_head(const std::string& file, std::size_t count) {
+  std::ifstream stream = open_to_read(file);
+  std::string bytes(count, '\0');
+  stream.read(bytes.data(), static_cast<std::streamsize>(count));
+  bytes.resize(static_cast<std::size_t>(stream.gcount()));
+  if (bytes.empty()) throw Error(file + kEmpty);
+  return bytes;
+}
+
+void write_file(const std::string& file, const std::function<void(std::ostream&)>& write) {
+  const fs::path target(file);
+  const fs::path temporary = target.parent_path() / ("." + target.filename().string() + "." +
+                                                     std::to_string(::getpid()) + ".part");
+  const auto discard = [&] {
+    std::error_code ignored;
+    fs::remove(temporary, ignored);
+  };
+  try {
+    std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);
+    if (stream) write(stream);
+    stream.close();
+    if (!stream) {
+      throw Error(file + ": cannot be written: " + std::strerror(errno) +
+                  "; check the folder, its permissions and the free space");
+    }
+    std::error_code failure;
+    fs::rename(temporary, target, failure);
+    if (failure) throw Error(file + ": cannot be written: " + failure.message());
+  } catch (...) {
+    discard();
+    throw;
+  }
+}
+
+void write_file(const std::string& file, std::string_view bytes) {
+  write_file(file, [&](std::ostream& stream) {
+    stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  });
+}
+
+std::uint64_t fnv1a64(std::string_view bytes) { return fnv1a64(kFnvOffset, bytes); }
+
+FileIdentity identify_file(const std::string& file) {
+  FileIdentity identity;
+  std::uint64_t hash = kFnvOffset;
+  read_pieces(file, [&](std::string_view piece) {
+    identity.bytes += piece.size();
+    hash = fnv1a64(hash, piece);
+  });
+  char digits[17];
+  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash));
+  identity.fnv1a64 = digits;
+  return identity;
+}
+
+}  // namespace xgm
