@@ -36,7 +36,7 @@ Progress::~Progress() {
   }
   stop_signal_.notify_one();
   thread_.join();
-  Console::instance().status("");
+  end();
 }
 
 void Progress::begin(const std::string& what) {
@@ -45,6 +45,12 @@ void Progress::begin(const std::string& what) {
   stage_.clear();
   share_ = 0;
   start_ = Clock::now();
+}
+
+void Progress::end() {
+  const std::lock_guard lock(mutex_);  // held while a line is drawn: none comes after this
+  what_.clear();
+  Console::instance().status("");
 }
 
 void Progress::stage(const std::string& path) {

@@ -21,6 +21,8 @@ class Progress {
 
   /// A new part of the run ("reading the images"); its time starts now.
   void begin(const std::string& what);
+  /// Nothing more to show, until the next begin().
+  void end();
   /// What is being worked on within it.
   void stage(const std::string& path);
   /// How much of it is done, 0 to 1; the time left is estimated from it.

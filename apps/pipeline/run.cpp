@@ -121,7 +121,7 @@ int run_checked(const RunOptions& options, const Pipeline& pipeline, const Plan&
   }
   record.peak_memory_bytes = peak_memory();
   write_results(options.output, map, record);
-  Console::instance().status("");
+  progress.end();
   print_summary(options.output, record);
   return judge(record);
 }

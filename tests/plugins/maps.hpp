@@ -3,12 +3,10 @@
 #pragma once
 
 #include <cmath>
-#include <random>
 #include <string>
 #include <vector>
 
-#include "xgm/data/disparity_map.hpp"
-#include "xgm/data/image.hpp"
+#include "tests/support/support.hpp"
 
 namespace xgm::testing {
 
@@ -21,21 +19,18 @@ struct MapRecipe {
   double invalid_share = 0.3;       ///< of the pixels; each of another invalid status
 };
 
-inline double uniform(std::mt19937& random) {
-  return static_cast<double>(random()) / 4294967296.0;  // the same numbers on every platform
-}
-
-inline DisparityMap random_map(cv::Size size, const MapRecipe& recipe, std::uint32_t seed) {
-  std::mt19937 random(seed);
+inline DisparityMap random_map(cv::Size size, const MapRecipe& recipe, std::uint64_t seed) {
+  Random random(seed);
   const std::vector<Status> reasons{Status::masked,   Status::out_of_range, Status::ambiguous,
                                     Status::occluded, Status::mismatched,   Status::peak};
   DisparityMap map(size);
   for (int y = 0; y < size.height; ++y) {
     for (int x = 0; x < size.width; ++x) {
-      const double steps = std::floor((recipe.highest - recipe.lowest) / recipe.step + 1);
-      const double value = recipe.lowest + recipe.step * std::floor(uniform(random) * steps);
-      const bool invalid = uniform(random) < recipe.invalid_share;
-      const std::uint32_t kind = random();
+      const int step =
+          random.integer(0, static_cast<int>((recipe.highest - recipe.lowest) / recipe.step));
+      const double value = recipe.lowest + recipe.step * step;
+      const bool invalid = random.real(0, 1) < recipe.invalid_share;
+      const std::uint64_t kind = random.next();
       if (invalid) {
         map.invalidate(y, x, reasons[kind % reasons.size()]);
       } else {
@@ -46,13 +41,13 @@ inline DisparityMap random_map(cv::Size size, const MapRecipe& recipe, std::uint
   return map;
 }
 
-/// Grey levels 0 to 255 in `planes` planes; neighbours are alike so that colour weights matter.
-inline ImagePair random_guide(cv::Size size, int planes, std::uint32_t seed) {
-  std::mt19937 random(seed);
+/// Grey levels alike enough for colour weights that are neither 0 nor 1; `planes` planes.
+inline ImagePair random_guide(cv::Size size, int planes, std::uint64_t seed) {
+  Random random(seed);
   Image image;
   for (int plane = 0; plane < planes; ++plane) {
     cv::Mat1f levels(size);
-    for (float& level : levels) level = static_cast<float>(100 + random() % 30);
+    for (float& level : levels) level = static_cast<float>(random.integer(100, 130));
     image.planes.push_back(levels);
   }
   return {image, image};
@@ -68,19 +63,8 @@ inline bool is_consistent(const DisparityMap& map) {
   return true;
 }
 
-/// Equal bit for bit, NaN equal to NaN.
-inline bool identical(const DisparityMap& a, const DisparityMap& b) {
-  if (a.size() != b.size()) return false;
-  for (int y = 0; y < a.size().height; ++y) {
-    for (int x = 0; x < a.size().width; ++x) {
-      if (a.at(y, x) != b.at(y, x)) return false;
-      if (a.valid(y, x) && a.disparity(y, x) != b.disparity(y, x)) return false;
-    }
-  }
-  return is_consistent(a) && is_consistent(b);
-}
-
-/// Letters to a map: digits are disparities; '.' occluded, 'x' mismatched, '#' masked, '?' ambiguous.
+/// Letters to a map: digits are disparities; '.' occluded, 'x' mismatched, '#' masked, '?'
+/// ambiguous.
 inline DisparityMap drawn_map(const std::vector<std::string>& rows) {
   DisparityMap map(cv::Size(static_cast<int>(rows.front().size()), static_cast<int>(rows.size())));
   for (int y = 0; y < map.size().height; ++y) {

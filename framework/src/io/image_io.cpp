@@ -82,7 +82,7 @@ void apply_mask(Raster& raster, const std::string& file) {
     throw Error(file + ": is " + size_text(mask.size()) + " pixels but " + raster.file + " is " +
                 size_text(raster.size()) + "; a mask has the size of its image");
   }
-  const cv::Mat1b valid = mask != 0;
+  const cv::Mat1b valid(mask != 0);
   raster.valid = raster.valid.empty() ? valid : cv::Mat1b(raster.valid & valid);
 }
 

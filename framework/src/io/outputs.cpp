@@ -83,7 +83,7 @@ void draw_bar(cv::Mat3b& canvas, int top, const Span& span, int scale) {
   in_turbo(ramp).copyTo(canvas(cv::Rect({margin, top + margin}, ramp.size())));
   constexpr int kSteps = 4;
   for (int i = 0; i <= kSteps; ++i) {
-    const double value = span.low + (span.high - span.low) * i / kSteps;
+    const double value = span.low + (span.high - span.low) * static_cast<double>(i) / kSteps;
     const std::string text = format(i == kSteps ? "%.1f px" : "%.1f", value);
     const int width =
         cv::getTextSize(text, cv::FONT_HERSHEY_SIMPLEX, 0.45 * scale, scale, nullptr).width;

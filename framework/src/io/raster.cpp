@@ -24,7 +24,7 @@ cv::Mat decode(const std::string& file) {
 /// Alpha tells where there is data, unless it is zero everywhere: then it was never filled in.
 cv::Mat1b mask_of_alpha(const cv::Mat& alpha) {
   if (cv::countNonZero(alpha) == 0) return {};
-  const cv::Mat1b valid = alpha != 0;
+  const cv::Mat1b valid(alpha != 0);
   return cv::countNonZero(valid) == static_cast<int>(valid.total()) ? cv::Mat1b() : valid;
 }
 

@@ -11,16 +11,19 @@ namespace xgm::aggregation {
 namespace {
 
 constexpr std::int64_t kLargestSum = AggregatedVolume::kNoMatch - 1;
+constexpr std::int64_t kLargest16BitCell = std::numeric_limits<std::uint16_t>::max();
 
 std::int64_t largest_sum(const Bounds& bounds) {
-  return std::int64_t{bounds.cost_weight} * bounds.max_cost + std::int64_t{bounds.paths} * bounds.p2;
+  return std::int64_t{bounds.cost_weight} * bounds.max_cost +
+         std::int64_t{bounds.paths} * bounds.p2;
 }
 
 void include_penalties(const PenaltyTable& table, Bounds& bounds) {
   for (const PenaltyPair& pair : table.entries) {
     if (pair.p1 < 0 || pair.p2 < pair.p1)
-      throw Error("the penalties P1 = " + std::to_string(pair.p1) + ", P2 = " +
-                  std::to_string(pair.p2) + " do not hold 0 <= P1 <= P2; correct the penalty stage");
+      throw Error("the penalties P1 = " + std::to_string(pair.p1) +
+                  ", P2 = " + std::to_string(pair.p2) +
+                  " do not hold 0 <= P1 <= P2; correct the penalty stage");
     bounds.p1 = std::max(bounds.p1, pair.p1);
     bounds.p2 = std::max(bounds.p2, pair.p2);
   }
@@ -43,7 +46,7 @@ Bounds find_bounds(const CostVolume& costs, const PenaltyField& penalties,
   return bounds;
 }
 
-int choose_fraction_bits(const Bounds& bounds) {
+FractionBits choose_fraction_bits(const Bounds& bounds) {
   const std::int64_t sum = largest_sum(bounds);
   if (sum > kLargestSum) {
     const std::int64_t room = kLargestSum - std::int64_t{bounds.cost_weight} * bounds.max_cost;
@@ -51,15 +54,16 @@ int choose_fraction_bits(const Bounds& bounds) {
                 std::to_string(bounds.p2) + " do not fit 16 bit; lower P2 to at most " +
                 std::to_string(room / bounds.paths) + ", or take fewer directions");
   }
-  if (!bounds.has_means || sum == 0) return 0;
-  int bits = 0;
-  while (sum << (bits + 1) <= kLargestSum) ++bits;
+  FractionBits bits;
+  if (!bounds.has_means || sum == 0) return bits;
+  while (sum << (bits.sums + 1) <= kLargestSum) ++bits.sums;
+  bits.paths = bits.sums;
+  while (fits_path_costs(bounds, std::int64_t{2} << bits.paths, kLargest16BitCell)) ++bits.paths;
   return bits;
 }
 
-bool fits_8_bit(const Bounds& bounds) {
-  return bounds.max_cost + 2 * std::int64_t{bounds.p2} + bounds.p1 <
-         std::numeric_limits<std::uint8_t>::max();
+bool fits_path_costs(const Bounds& bounds, std::int64_t unit, std::int64_t largest_cell) {
+  return unit * (bounds.max_cost + 2 * std::int64_t{bounds.p2} + bounds.p1) < largest_cell;
 }
 
 }  // namespace xgm::aggregation

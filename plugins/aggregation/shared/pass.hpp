@@ -45,7 +45,9 @@ constexpr bool comes_earlier(Direction x, Direction along, Direction across) {
 class PassFrame {
  public:
   PassFrame(cv::Size size, Direction along, Direction across)
-      : along_(along), across_(across), length_(along.dx != 0 ? size.width : size.height),
+      : along_(along),
+        across_(across),
+        length_(along.dx != 0 ? size.width : size.height),
         lines_(along.dx != 0 ? size.height : size.width),
         origin_(along.dx + across.dx < 0 ? size.width - 1 : 0,
                 along.dy + across.dy < 0 ? size.height - 1 : 0) {}

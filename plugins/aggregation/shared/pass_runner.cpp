@@ -27,7 +27,10 @@ template <class Cell>
 PassRunner<Cell>::PassRunner(const CostVolume& costs, const PenaltyField& penalties,
                              const Pass& pass, const PathArithmetic<Cell>& arithmetic,
                              AggregatedVolume& sums)
-    : costs_(costs), shape_(costs.shape()), sums_(sums), arithmetic_(arithmetic),
+    : costs_(costs),
+      shape_(costs.shape()),
+      sums_(sums),
+      arithmetic_(arithmetic),
       frame_(shape_.size(), pass.along, pass.across),
       lines_(shape_, frame_, static_cast<int>(pass.paths.size()),
              std::min(thread_count() + kLinesLookedBack, frame_.lines()), arithmetic.infinite),
@@ -36,7 +39,8 @@ PassRunner<Cell>::PassRunner(const CostVolume& costs, const PenaltyField& penalt
   for (const Path& path : pass.paths) {
     std::vector<Step>& steps = paths_.emplace_back();
     for (const Direction x : path.steps)
-      steps.push_back({pixels_along(x, pass.along), lines_across(x, pass.across),
+      steps.push_back({pixels_along(x, pass.along),
+                       lines_across(x, pass.across),
                        {penalties, x, penalty_slots, shape_.width(), arithmetic.unit}});
   }
 }
@@ -90,15 +94,15 @@ template <class Cell>
 void PassRunner<Cell>::visit(const Pixel& p, bool first_pass) {
   Scratch& scratch = scratch_[static_cast<std::size_t>(lines_.slot(p.v))];
   lines_.open(p.u, p.v, p.count);
-  std::fill_n(scratch.sum.begin(), p.count, std::uint16_t{0});
-  for (int path = 0; path < static_cast<int>(paths_.size()); ++path)
-    extend_path(p, path, scratch);
+  std::fill_n(scratch.sum.begin(), p.count, PassSum<Cell>{0});
+  for (int path = 0; path < static_cast<int>(paths_.size()); ++path) extend_path(p, path, scratch);
 
   std::uint16_t* const sums = sums_.at(p.at.y, p.at.x);
   if (first_pass)
-    write_sums(costs_.at(p.at.y, p.at.x), scratch.sum.data(), p.count, arithmetic_.cost_unit, sums);
+    write_sums(costs_.at(p.at.y, p.at.x), scratch.sum.data(), p.count, arithmetic_.extra_bits,
+               arithmetic_.cost_unit, sums);
   else
-    add_sums(scratch.sum.data(), p.count, sums);
+    add_sums(scratch.sum.data(), p.count, arithmetic_.extra_bits, sums);
 }
 
 template <class Cell>

@@ -17,6 +17,7 @@ template <class Cell>
 struct PathArithmetic {
   Cell unit;                ///< path cost of a cost of one
   Cell infinite;            ///< above any finite path cost; leaves room for P1
+  int extra_bits;           ///< fraction bits that path costs have and sums have not
   std::uint16_t cost_unit;  ///< what a cost of one is in the sums, beside what paths bring
 };
 
@@ -50,7 +51,7 @@ class PassRunner {
   /// Working memory of a line.
   struct Scratch {
     explicit Scratch(int max_count);
-    std::vector<std::uint16_t> sum;
+    std::vector<PassSum<Cell>> sum;
     struct OfStep {
       std::vector<Cell> joined, p1, p2;
     } of_step[2];

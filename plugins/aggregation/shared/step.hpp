@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <type_traits>
 
 #include "xgm/data/volume.hpp"
 
@@ -43,11 +44,15 @@ struct Term {
   }
 };
 
-/// The mean of two terms, halves rounded up.
+/// The mean of two terms, halves rounded to even: always up or down, errors would add up.
 template <class Cell, class Penalties>
 struct MeanTerm {
   Term<Cell, Penalties> first, second;
-  Cell operator()(int i) const { return static_cast<Cell>((first(i) + second(i) + 1) >> 1); }
+  Cell operator()(int i) const {
+    const auto twice = static_cast<Cell>(first(i) + second(i));
+    const auto down = static_cast<Cell>(twice >> 1);
+    return static_cast<Cell>(down + (twice & down & 1));
+  }
 };
 
 /// A path that starts here.
@@ -56,11 +61,15 @@ struct NoTerm {
   Cell operator()(int) const { return 0; }
 };
 
+/// Sum of the terms of a pass: up to 8 of 8 bit, or of 16 bit.
+template <class Cell>
+using PassSum = std::conditional_t<sizeof(Cell) == 1, std::uint16_t, std::uint32_t>;
+
 /// L = unit * C + term, infinite where C is kNoMatch; adds the term to `sum`. `unit` is a cost of
 /// one, 1 for 8-bit cells. Returns the least L, `infinite` if there is no finite one.
 template <class Cell, class AnyTerm>
 Cell extend(AnyTerm term, const std::uint8_t* __restrict cost, int count, Cell unit, Cell infinite,
-            Cell* __restrict path, std::uint16_t* __restrict sum) {
+            Cell* __restrict path, PassSum<Cell>* __restrict sum) {
   constexpr auto kNoMatch = Volume<std::uint8_t>::kNoMatch;
   Cell least = infinite;
   for (int i = 0; i < count; ++i) {
@@ -71,25 +80,34 @@ Cell extend(AnyTerm term, const std::uint8_t* __restrict cost, int count, Cell u
     const Cell extended = cost[i] == kNoMatch ? infinite : finite;
     path[i] = extended;
     least = std::min(least, extended);
-    sum[i] = static_cast<std::uint16_t>(sum[i] + brought);
+    sum[i] = static_cast<PassSum<Cell>>(sum[i] + brought);
   }
   return least;
 }
 
-/// S = cost_unit * C + sum, kNoMatch where C is.
-inline void write_sums(const std::uint8_t* __restrict cost, const std::uint16_t* __restrict sum,
-                       int count, std::uint16_t cost_unit, std::uint16_t* __restrict sums) {
+/// sum / 2^bits, halves rounded up.
+template <class Sum>
+std::uint16_t rounded(Sum sum, int bits) {
+  return static_cast<std::uint16_t>((sum + ((1u << bits) >> 1)) >> bits);
+}
+
+/// S = cost_unit * C + sum / 2^extra_bits, kNoMatch where C is.
+template <class Sum>
+void write_sums(const std::uint8_t* __restrict cost, const Sum* __restrict sum, int count,
+                int extra_bits, std::uint16_t cost_unit, std::uint16_t* __restrict sums) {
   for (int i = 0; i < count; ++i) {
-    const auto finite = static_cast<std::uint16_t>(cost_unit * cost[i] + sum[i]);
+    const auto finite =
+        static_cast<std::uint16_t>(cost_unit * cost[i] + rounded(sum[i], extra_bits));
     sums[i] = cost[i] == Volume<std::uint8_t>::kNoMatch ? AggregatedVolume::kNoMatch : finite;
   }
 }
 
-/// S = S + sum, but kNoMatch remains.
-inline void add_sums(const std::uint16_t* __restrict sum, int count,
-                     std::uint16_t* __restrict sums) {
+/// S = S + sum / 2^extra_bits, but kNoMatch remains.
+template <class Sum>
+void add_sums(const Sum* __restrict sum, int count, int extra_bits,
+              std::uint16_t* __restrict sums) {
   for (int i = 0; i < count; ++i) {
-    const auto finite = static_cast<std::uint16_t>(sums[i] + sum[i]);
+    const auto finite = static_cast<std::uint16_t>(sums[i] + rounded(sum[i], extra_bits));
     sums[i] = sums[i] == AggregatedVolume::kNoMatch ? AggregatedVolume::kNoMatch : finite;
   }
 }

@@ -11,9 +11,9 @@ namespace xgm::lrrl {
 int target(int x, float disparity);
 
 /// Sets pointed[x], for the pixels x of row y of one view, to whether the line of sight through x
-/// meets the disparity function of the `other` view: target(q, d(q)) = x for some pixel q, or x lies
-/// between the targets of q and q + 1 where both belong to one surface (their disparities differ by
-/// at most `step`).
+/// meets the disparity function of the `other` view: target(q, d(q)) = x for some pixel q, or x
+/// lies between the targets of q and q + 1 where both belong to one surface (their disparities
+/// differ by at most `step`).
 void mark_pointed_at(const cv::Mat1f& other, int y, double step, std::vector<char>& pointed);
 
 }  // namespace xgm::lrrl

@@ -42,10 +42,11 @@ class Interpolation final : public xgm::Filter {
     set.add_choice("directions", p.directions,
                    "Paths along which each hole looks for disparities; 16 adds knight's moves.",
                    {{"8", 8}, {"16", 16}});
-    set.add_choice("background", p.background,
-                   "Which disparities are the far ones: the lowest in a left view, the highest in "
-                   "a right view (a reverse map) or where the images were given the other way round.",
-                   {{"lowest", Background::lowest}, {"highest", Background::highest}});
+    set.add_choice(
+        "background", p.background,
+        "Which disparities are the far ones: the lowest in a left view, the highest in "
+        "a right view (a reverse map) or where the images were given the other way round.",
+        {{"lowest", Background::lowest}, {"highest", Background::highest}});
     set.add("spread_occlusions", p.spread_occlusions,
             "Whether areas of mismatched pixels that touch an occluded pixel are filled like "
             "occluded ones.");
@@ -78,7 +79,8 @@ class Interpolation final : public xgm::Filter {
   /// Of the values seen from a hole, ordered from the background: the second if it is occluded,
   /// else the middle one (of two, the one nearer the background: a mean would lie on no surface).
   /// The only one if there is one, NaN if none.
-  float combine(const std::vector<std::vector<float>>& seen, std::size_t hole, bool occluded) const {
+  float combine(const std::vector<std::vector<float>>& seen, std::size_t hole,
+                bool occluded) const {
     const float sign = p_.background == Background::lowest ? 1.0F : -1.0F;
     std::array<float, kMaxDirections> values{};
     std::size_t n = 0;

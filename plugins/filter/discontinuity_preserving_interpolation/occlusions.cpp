@@ -7,7 +7,8 @@ namespace xgm::discontinuity_preserving_interpolation {
 
 cv::Mat1b occlusions(const DisparityMap& map, bool spread) {
   const cv::Rect image({}, map.size());
-  cv::Mat1b occluded = map.status == static_cast<std::uint8_t>(Status::occluded);
+  cv::Mat1b occluded;
+  cv::compare(map.status, static_cast<int>(Status::occluded), occluded, cv::CMP_EQ);
   if (!spread) return occluded;
   std::vector<cv::Point> front;
   cv::findNonZero(occluded, front);

@@ -6,8 +6,8 @@
 
 namespace xgm::discontinuity_preserving_interpolation {
 
-/// Non-zero for occluded pixels and, if `spread`, for mismatched pixels linked to an occluded one by
-/// 4-connected mismatched pixels: they too must be extrapolated from the background.
+/// Non-zero for occluded pixels and, if `spread`, for mismatched pixels linked to an occluded one
+/// by 4-connected mismatched pixels: they too must be extrapolated from the background.
 cv::Mat1b occlusions(const DisparityMap& map, bool spread);
 
 }  // namespace xgm::discontinuity_preserving_interpolation

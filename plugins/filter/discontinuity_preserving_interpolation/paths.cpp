@@ -32,13 +32,13 @@ void look(const float* disparity, int step_x, const std::vector<float>& ahead,
 
 Holes::Holes(cv::Mat1b holes) : mask(std::move(holes)), row_begin{0} {
   for (int y = 0; y < mask.rows; ++y) {
-    row_begin.push_back(row_begin.back() +
-                        static_cast<std::size_t>(cv::countNonZero(mask.row(y))));
+    row_begin.push_back(row_begin.back() + static_cast<std::size_t>(cv::countNonZero(mask.row(y))));
   }
 }
 
 std::vector<cv::Point> path_steps(int directions) {
-  std::vector<cv::Point> steps{{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, 1}, {1, -1}, {-1, -1}};
+  std::vector<cv::Point> steps{{1, 0}, {-1, 0}, {0, 1},  {0, -1},
+                               {1, 1}, {-1, 1}, {1, -1}, {-1, -1}};
   if (directions == 16) {
     steps.insert(steps.end(),
                  {{2, 1}, {-2, 1}, {2, -1}, {-2, -1}, {1, 2}, {-1, 2}, {1, -2}, {-1, -2}});

@@ -27,9 +27,10 @@ class Equiangular final : public xgm::Refinement {
 }  // namespace
 
 XGM_PLUGIN(registry) {
-  registry.add<Equiangular>("equiangular",
-                            "Moves a disparity to where two lines of opposite slope through its sum "
-                            "and the two beside it meet.",
-                            "Shimizu and Okutomi, Precise sub-pixel estimation on area-based "
-                            "matching, ICCV 2001");
+  registry.add<Equiangular>(
+      "equiangular",
+      "Moves a disparity to where two lines of opposite slope through its sum "
+      "and the two beside it meet.",
+      "Shimizu and Okutomi, Precise sub-pixel estimation on area-based "
+      "matching, ICCV 2001");
 }

@@ -24,9 +24,10 @@ class Parabola final : public xgm::Refinement {
 }  // namespace
 
 XGM_PLUGIN(registry) {
-  registry.add<Parabola>("parabola",
-                         "Moves a disparity to the lowest point of the parabola through its sum and "
-                         "the two beside it.",
-                         "Patil et al., A comparative evaluation of SGM variants for dense stereo "
-                         "matching, section 5");
+  registry.add<Parabola>(
+      "parabola",
+      "Moves a disparity to the lowest point of the parabola through its sum and "
+      "the two beside it.",
+      "Patil et al., A comparative evaluation of SGM variants for dense stereo "
+      "matching, section 5");
 }

@@ -80,8 +80,8 @@ class Wta final : public xgm::Selection {
 }  // namespace
 
 XGM_PLUGIN(registry) {
-  registry.add<Wta>("wta",
-                    "Takes the disparity with the lowest sum; of equal ones the smallest disparity.",
-                    "Hirschmueller, Stereo processing by semiglobal matching and mutual "
-                    "information, PAMI 2008");
+  registry.add<Wta>(
+      "wta", "Takes the disparity with the lowest sum; of equal ones the smallest disparity.",
+      "Hirschmueller, Stereo processing by semiglobal matching and mutual "
+      "information, PAMI 2008");
 }

@@ -22,8 +22,8 @@ struct Settings {
 DisparityMap run(const Settings& s, const DisparityMap& map, const ImagePair& pair) {
   const std::string yaml = "{type: joint_bilateral, radius: " + std::to_string(s.radius) +
                            ", sigma_space: " + std::to_string(s.sigma_space) +
-                           ", sigma_range: " + std::to_string(s.sigma_range) +
-                           ", mode: " + s.mode + "}";
+                           ", sigma_range: " + std::to_string(s.sigma_range) + ", mode: " + s.mode +
+                           "}";
   return xgm::testing::stage<xgm::Filter>(yaml)->run(map, pair, xgm::Context{});
 }
 
@@ -41,8 +41,9 @@ std::map<float, double> votes(const Settings& s, const DisparityMap& map, const 
       }
       colour /= static_cast<double>(guide.planes.size());
       const double space = (u - x) * (u - x) + (v - y) * (v - y);
-      weights[map.disparity(v, u)] += std::exp(-space / (2 * s.sigma_space * s.sigma_space)) *
-                                      std::exp(-colour * colour / (2 * s.sigma_range * s.sigma_range));
+      weights[map.disparity(v, u)] +=
+          std::exp(-space / (2 * s.sigma_space * s.sigma_space)) *
+          std::exp(-colour * colour / (2 * s.sigma_range * s.sigma_range));
     }
   }
   return weights;

@@ -52,8 +52,8 @@ TEST_CASE("median is the lower middle of the disparities in the window") {
 }
 
 TEST_CASE("median removes single outliers and keeps straight edges") {
-  const DisparityMap map = xgm::testing::drawn_map({"111555", "191555", "111505", "111555"});
-  const DisparityMap clean = xgm::testing::drawn_map({"111555", "111555", "111555", "111555"});
+  const DisparityMap map = xgm::testing::drawn_map({"1115555", "1915555", "1115505", "1115555"});
+  const DisparityMap clean = xgm::testing::drawn_map({"1115555", "1115555", "1115555", "1115555"});
   CHECK(identical(run(3, map), clean));
   CHECK(identical(run(3, clean), clean));
 }

@@ -7,7 +7,7 @@
 
 #include "support/support.hpp"
 
-namespace xgm::testing {
+namespace xgm::testing::matchers {
 
 /// What a remembering matcher was asked, and where in the pipeline.
 struct Asked {
@@ -42,9 +42,9 @@ class FakeMatcher final : public Matcher {
     asked().push_back({request, context.path()});
     MatchResult result{answer(request.range, request.pair.base), std::nullopt};
     if (parameters_.reverse) {
-      result.reverse = answer(
-          request.reverse_range ? *request.reverse_range : request.range.reversed(),
-          request.pair.match);
+      result.reverse =
+          answer(request.reverse_range ? *request.reverse_range : request.range.reversed(),
+                 request.pair.match);
     }
     return result;
   }
@@ -55,7 +55,8 @@ class FakeMatcher final : public Matcher {
     for (int y = 0; y < map.size().height; ++y) {
       for (int x = 0; x < map.size().width; ++x) {
         const Interval interval = range.at(y, x);
-        if (!view.is_valid(y, x)) map.invalidate(y, x, Status::masked);
+        if (!view.is_valid(y, x))
+          map.invalidate(y, x, Status::masked);
         else if (!interval.empty()) {
           map.set(y, x, static_cast<float>(interval.begin + parameters_.offset));
         }
@@ -136,4 +137,4 @@ class ProgressObserver final : public Observer {
   std::vector<double> shares;
 };
 
-}  // namespace xgm::testing
+}  // namespace xgm::testing::matchers

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugins/matcher/fakes.hpp"
 
-namespace xgm::testing {
+namespace xgm::testing::matchers {
 namespace {
 
 const char* const kLeftRight = "{type: left_right, matcher: fake, consistency: fake}";
@@ -55,4 +55,4 @@ TEST_CASE("left_right accepts range maps if its matcher does") {
 }
 
 }  // namespace
-}  // namespace xgm::testing
+}  // namespace xgm::testing::matchers

@@ -4,7 +4,7 @@
 
 #include "plugins/matcher/fakes.hpp"
 
-namespace xgm::testing {
+namespace xgm::testing::matchers {
 namespace {
 
 /// A textured pair whose disparity is `left` in the left and `right` in the right half.
@@ -70,8 +70,7 @@ TEST_CASE("opencv_sgbm equals cv::StereoSGBM called directly, in every mode") {
     for (const int channels : {1, 3}) {
       for (const bool pad : {true, false}) {
         for (const Interval interval : {Interval{0, 16}, {-9, 7}, {-32, -16}, {3, 35}}) {
-          CAPTURE(setting.name << ", channels " << channels << ", pad " << pad << ", from "
-                               << interval.begin);
+          INFO(setting.name, ", channels ", channels, ", pad ", pad, ", from ", interval.begin);
           const int middle = (interval.begin + interval.end) / 2;
           const ImagePair pair = two_planes(size, middle - 3, middle + 2, channels);
           const auto map = stage<Matcher>(yaml_of(setting, pad))
@@ -158,7 +157,8 @@ TEST_CASE("opencv_sgbm takes tiny images, wide ranges and empty ones in every mo
 
 TEST_CASE("opencv_sgbm does not depend on the number of OpenCV's threads") {
   const cv::Size size(160, 90);
-  const MatchRequest request{two_planes(size, 4, 12, 3), DisparityRange::uniform(size, {0, 32}), {}};
+  const MatchRequest request{
+      two_planes(size, 4, 12, 3), DisparityRange::uniform(size, {0, 32}), {}};
   const int before = cv::getNumThreads();
   for (const Setting& setting : kModes) {
     const auto matcher = stage<Matcher>(yaml_of(setting, true));
@@ -184,4 +184,4 @@ TEST_CASE("opencv_sgbm refuses range maps, disparities beyond 16 bits and p2 bel
 }
 
 }  // namespace
-}  // namespace xgm::testing
+}  // namespace xgm::testing::matchers

@@ -4,7 +4,7 @@
 
 #include "plugins/matcher/fakes.hpp"
 
-namespace xgm::testing {
+namespace xgm::testing::matchers {
 namespace {
 
 cv::Size scaled(cv::Size size, int scale) {
@@ -78,7 +78,7 @@ int wrong_pixels(const Image& level, const Image& full, int scale) {
 TEST_CASE("levels are repeated 2x2 means in which masked pixels do not vote") {
   for (const cv::Size size : {cv::Size(37, 21), {16, 8}, {5, 40}, {1, 1}, {3, 2}}) {
     for (const double masked : {0.0, 0.3, 0.9, 1.0}) {
-      CAPTURE(size.width << "x" << size.height << ", masked " << masked);
+      INFO(size.width, "x", size.height, ", masked ", masked);
       const auto matcher =
           matcher_with_fakes("{type: pyramid, scale: 8, matcher: {type: fake, reverse: true}}");
       ImagePair pair = random_pair(size, 5, 3);
@@ -105,10 +105,9 @@ TEST_CASE("the coarsest level searches the limits of Table 2") {
   const cv::Size size(37, 21);
   for (const Interval hull : {Interval{-29, 18}, {0, 70}, {3, 4}, {-8, -7}, {7, 9}}) {
     for (const int scale : {2, 4, 8, 64}) {
-      CAPTURE(hull.begin << ":" << hull.end << " / " << scale);
-      const auto matcher =
-          matcher_with_fakes("{type: pyramid, scale: " + std::to_string(scale) +
-                             ", matcher: {type: fake, reverse: true}}");
+      INFO(hull.begin, ":", hull.end, " / ", scale);
+      const auto matcher = matcher_with_fakes("{type: pyramid, scale: " + std::to_string(scale) +
+                                              ", matcher: {type: fake, reverse: true}}");
       const auto uniform = DisparityRange::uniform(size, hull);
       matcher->run({random_pair(size, 1), uniform, {}}, Context{});
       CHECK(asked()[0].request.range.is_uniform());
@@ -141,9 +140,9 @@ TEST_CASE("no level leaves the limits, and none loses a pixel") {
   const cv::Size size(45, 30);
   const auto limits = random_range(size, {-40, 33}, 11);
   const auto reverse = random_range(size, {-32, 41}, 12);
-  for (const char* search : {"min_max", "percentile", "median_window",
-                             "{type: fake, begin: -3, end: 2}", "{type: fake, begin: 90, end: 99}",
-                             "{type: min_max, relaxation: 0, window: 1}"}) {
+  for (const char* search :
+       {"min_max", "percentile", "median_window", "{type: fake, begin: -3, end: 2}",
+        "{type: fake, begin: 90, end: 99}", "{type: min_max, relaxation: 0, window: 1}"}) {
     CAPTURE(search);
     const auto matcher = matcher_with_fakes(
         std::string("{type: pyramid, scale: 8, matcher: {type: fake, reverse: true, offset: 0.4}, "
@@ -244,4 +243,4 @@ TEST_CASE("progress of a pyramid never falls and ends at 1") {
 }
 
 }  // namespace
-}  // namespace xgm::testing
+}  // namespace xgm::testing::matchers

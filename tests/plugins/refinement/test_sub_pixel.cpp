@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <random>
 
 #include "tests/plugins/maps.hpp"
 #include "tests/support/support.hpp"
@@ -19,8 +18,8 @@ constexpr int kNoMatch = AggregatedVolume::kNoMatch;
 
 AggregatedVolume one_pixel(const std::vector<int>& cells, int begin) {
   const int end = begin + static_cast<int>(cells.size());
-  const auto shape = std::make_shared<const xgm::VolumeShape>(
-      xgm::DisparityRange::uniform({1, 1}, {begin, end}));
+  const auto shape =
+      std::make_shared<const xgm::VolumeShape>(xgm::DisparityRange::uniform({1, 1}, {begin, end}));
   AggregatedVolume sums(shape, 0);
   for (std::size_t i = 0; i < cells.size(); ++i) {
     sums.data()[i] = static_cast<std::uint16_t>(cells[i]);
@@ -63,21 +62,21 @@ struct Scene {
   DisparityMap map;
 };
 
-Scene random_scene(cv::Size size, int values, std::uint32_t seed) {
-  std::mt19937 random(seed);
+Scene random_scene(cv::Size size, int values, std::uint64_t seed) {
+  xgm::testing::Random random(seed);
   cv::Mat1i begin(size), end(size);
   for (int y = 0; y < size.height; ++y) {
     for (int x = 0; x < size.width; ++x) {
-      begin(y, x) = static_cast<int>(random() % 20) - 10;
-      end(y, x) = begin(y, x) + static_cast<int>(random() % 7);
+      begin(y, x) = random.integer(-10, 9);
+      end(y, x) = begin(y, x) + random.integer(0, 6);
     }
   }
   const auto shape = std::make_shared<const xgm::VolumeShape>(xgm::DisparityRange(begin, end));
   Scene scene{AggregatedVolume(shape, 0), DisparityMap(size)};
   for (std::int64_t i = 0; i < shape->cells(); ++i) {
-    scene.sums.data()[i] = random() % 8 == 0
+    scene.sums.data()[i] = random.integer(0, 7) == 0
                                ? static_cast<std::uint16_t>(kNoMatch)
-                               : static_cast<std::uint16_t>(random() % static_cast<unsigned>(values));
+                               : static_cast<std::uint16_t>(random.integer(0, values - 1));
   }
   scene.map = xgm::testing::stage<xgm::Selection>("wta")->run(scene.sums, xgm::Context{});
   return scene;

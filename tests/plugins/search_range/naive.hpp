@@ -11,7 +11,7 @@
 
 #include "support/support.hpp"
 
-namespace xgm::testing {
+namespace xgm::testing::ranges {
 
 /// The closed interval of coarse disparities that a rule proposes for coarse pixel (y, x), and how
 /// far it is relaxed, in fine pixels. Nothing: all of the limits.
@@ -20,7 +20,8 @@ struct NaiveProposal {
 };
 using NaiveRule = std::function<std::optional<NaiveProposal>(const DisparityMap&, int y, int x)>;
 
-/// Random disparities, some whole, some halves, some thirds; `holes` is the share of pixels without.
+/// Random disparities, some whole, some halves, some thirds; `holes` is the share of pixels
+/// without.
 inline DisparityMap random_coarse_map(cv::Size size, double low, double high, double holes,
                                       std::uint64_t seed) {
   Random random(seed);
@@ -104,7 +105,7 @@ inline void check_everywhere(const std::string& yaml, const NaiveRule& rule, int
     const cv::Size coarse_size((fine.width + 1) / 2, (fine.height + 1) / 2);
     for (const double holes : {0.0, 0.4, 0.95, 1.0}) {
       const auto seed = static_cast<std::uint64_t>(fine.width * 10 + int(holes * 10));
-      CAPTURE(yaml << " fine " << fine.width << "x" << fine.height << " holes " << holes);
+      INFO(yaml, " fine ", fine.width, "x", fine.height, " holes ", holes);
       const auto coarse = random_coarse_map(coarse_size, -20, 13, holes, seed);
       const auto proposals = naive_proposals(rule, coarse);
       for (const Interval hull : {Interval{-45, 30}, {-3, 7}, {5, 6}, {200, 300}, {0, 0}}) {
@@ -136,4 +137,4 @@ inline bool same_for_any_thread_count(const std::string& yaml) {
   return true;
 }
 
-}  // namespace xgm::testing
+}  // namespace xgm::testing::ranges

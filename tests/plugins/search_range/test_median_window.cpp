@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugins/search_range/naive.hpp"
 
-namespace xgm::testing {
+namespace xgm::testing::ranges {
 namespace {
 
 std::optional<double> naive_mean(const DisparityMap& map) {
@@ -36,9 +36,8 @@ NaiveRule median_window(int window, int relaxation, int median, int tau) {
 
 TEST_CASE("median_window equals Rothermel's rules written plainly") {
   check_everywhere("median_window", median_window(7, 4, 31, 16), 4);
-  check_everywhere(
-      "{type: median_window, window: 3, relaxation: 1, median_window: 5, tau: 3}",
-      median_window(3, 1, 5, 3), 1);
+  check_everywhere("{type: median_window, window: 3, relaxation: 1, median_window: 5, tau: 3}",
+                   median_window(3, 1, 5, 3), 1);
 }
 
 TEST_CASE("a hole far from any disparity searches around the mean of the map") {
@@ -56,4 +55,4 @@ TEST_CASE("median_window does not depend on the number of threads") {
 }
 
 }  // namespace
-}  // namespace xgm::testing
+}  // namespace xgm::testing::ranges

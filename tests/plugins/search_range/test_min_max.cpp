@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugins/search_range/naive.hpp"
 
-namespace xgm::testing {
+namespace xgm::testing::ranges {
 namespace {
 
 NaiveRule min_max(int window, int relaxation) {
@@ -41,4 +41,4 @@ TEST_CASE("disparities far beyond any image do not overflow") {
 }
 
 }  // namespace
-}  // namespace xgm::testing
+}  // namespace xgm::testing::ranges

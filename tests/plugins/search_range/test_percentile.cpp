@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugins/search_range/naive.hpp"
 
-namespace xgm::testing {
+namespace xgm::testing::ranges {
 namespace {
 
 double nearest_rank(const std::vector<double>& ascending, double percentile) {
@@ -60,4 +60,4 @@ TEST_CASE("percentile refuses a high percentile below the low one") {
 }
 
 }  // namespace
-}  // namespace xgm::testing
+}  // namespace xgm::testing::ranges

@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <limits>
-#include <random>
 
 #include "tests/plugins/maps.hpp"
 #include "tests/support/support.hpp"
@@ -17,21 +16,21 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-AggregatedVolume random_sums(cv::Size size, int values, double no_match_share, std::uint32_t seed) {
-  std::mt19937 random(seed);
+AggregatedVolume random_sums(cv::Size size, int values, double no_match_share, std::uint64_t seed) {
+  xgm::testing::Random random(seed);
   cv::Mat1i begin(size), end(size);
   for (int y = 0; y < size.height; ++y) {
     for (int x = 0; x < size.width; ++x) {
-      begin(y, x) = static_cast<int>(random() % 20) - 10;
-      end(y, x) = begin(y, x) + static_cast<int>(random() % 12);  // some are empty
+      begin(y, x) = random.integer(-10, 9);
+      end(y, x) = begin(y, x) + random.integer(0, 11);  // some are empty
     }
   }
   const auto shape = std::make_shared<const xgm::VolumeShape>(xgm::DisparityRange(begin, end));
   AggregatedVolume sums(shape, 0);
   for (std::int64_t i = 0; i < shape->cells(); ++i) {
-    const bool none = xgm::testing::uniform(random) < no_match_share;
+    const bool none = random.real(0, 1) < no_match_share;
     sums.data()[i] = none ? AggregatedVolume::kNoMatch
-                          : static_cast<std::uint16_t>(1000 + static_cast<int>(random()) % values);
+                          : static_cast<std::uint16_t>(random.integer(1000, 999 + values));
   }
   return sums;
 }
@@ -76,8 +75,8 @@ DisparityMap oracle(const AggregatedVolume& sums, int uniqueness) {
 
 AggregatedVolume one_pixel(const std::vector<int>& cells, int begin) {
   const int end = begin + static_cast<int>(cells.size());
-  const auto shape = std::make_shared<const xgm::VolumeShape>(
-      xgm::DisparityRange::uniform({1, 1}, {begin, end}));
+  const auto shape =
+      std::make_shared<const xgm::VolumeShape>(xgm::DisparityRange::uniform({1, 1}, {begin, end}));
   AggregatedVolume sums(shape, 0);
   for (std::size_t i = 0; i < cells.size(); ++i) {
     sums.data()[i] = static_cast<std::uint16_t>(cells[i]);

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Key points found in both views.
+#pragma once
+
+#include <vector>
+
+#include "plugins/preprocess/ransac_deskew/row_model.hpp"
+#include "xgm/data/image.hpp"
+
+namespace xgm::ransac_deskew {
+
+struct KeyPointOptions {
+  int count = 4000;    ///< wanted per image
+  double ratio = 0.8;  ///< the best match's distance must be below this share of the second best's
+  double max_dy = 16;  ///< pixels
+};
+
+/// Lowe: Distinctive image features from scale-invariant keypoints (IJCV 2004): SIFT key points
+/// that choose each other and pass the ratio test, rows at most max_dy apart. Pixels without data
+/// and their surroundings are not looked at.
+std::vector<Correspondence> match_key_points(const ImagePair& pair, const KeyPointOptions& options);
+
+}  // namespace xgm::ransac_deskew

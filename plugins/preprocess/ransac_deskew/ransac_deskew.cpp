@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+// Aligns the rows of an imperfectly rectified pair (section 5 of the paper).
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "plugins/preprocess/ransac_deskew/key_points.hpp"
+#include "plugins/preprocess/ransac_deskew/row_model.hpp"
+#include "plugins/preprocess/ransac_deskew/warp.hpp"
+#include "xgm/plugin.hpp"
+
+namespace {
+
+using namespace xgm::ransac_deskew;
+
+/// The smallest value that at least `share` of the values do not exceed.
+double quantile(std::vector<double> values, double share) {
+  const double rank = std::ceil(share * static_cast<double>(values.size())) - 1;
+  const auto nth = values.begin() + static_cast<std::ptrdiff_t>(std::max(rank, 0.0));
+  std::nth_element(values.begin(), nth, values.end());
+  return *nth;
+}
+
+/// |dy| of the points, less what the model explains.
+std::vector<double> residuals(const std::vector<Correspondence>& points, const RowModel& model) {
+  std::vector<double> values;
+  for (const Correspondence& p : points) values.push_back(std::abs(p.dy - model.at(p.x, p.y)));
+  return values;
+}
+
+/// Median |dy| of the model over the image.
+double typical_shift(const RowModel& model, cv::Size size) {
+  constexpr int kGrid = 32;
+  std::vector<double> values;
+  for (int i = 0; i < kGrid; ++i)
+    for (int j = 0; j < kGrid; ++j)
+      values.push_back(std::abs(
+          model.at((j + 0.5) / kGrid * size.width - 0.5, (i + 0.5) / kGrid * size.height - 0.5)));
+  return quantile(std::move(values), 0.5);
+}
+
+std::string pixels(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f px", value);
+  return text;
+}
+
+class RansacDeskew final : public xgm::Preprocess {
+ public:
+  struct Parameters {
+    int key_points = 4000;
+    double ratio = 0.8;
+    double max_dy = 16;
+    int iterations = 1000;
+    double threshold = 1;
+    int min_matches = 30;
+    double min_correction = 0.15;
+    int seed = 1;
+  };
+
+  static void describe(Parameters& p, xgm::ParameterSet& set) {
+    set.add("key_points", p.key_points, "How many key points to look for in each image.")
+        .range(100, 1e6);
+    set.add(
+           "ratio", p.ratio,
+           "A key point's best match must be closer than this share of the second best's distance.")
+        .range(0.1, 1);
+    set.add("max_dy", p.max_dy, "Matches whose rows are further apart are taken to be false.")
+        .unit("px")
+        .range(0.5, 1000);
+    set.add("iterations", p.iterations, "How many random samples RANSAC draws.").range(1, 1e6);
+    set.add("threshold", p.threshold, "Matches this close to a model vote for it.")
+        .unit("px")
+        .range(0.01, 100);
+    set.add("min_matches", p.min_matches,
+            "With fewer matches that agree the pair is left as it is, with a warning.")
+        .range(3, 1e6);
+    set.add("min_correction", p.min_correction,
+            "If the typical shift of rows is smaller the pair is left as it is.")
+        .unit("px")
+        .range(0, 100);
+    set.add("seed", p.seed, "Start of the random numbers; the same seed gives the same result.")
+        .range(0, 1e9);
+  }
+
+  explicit RansacDeskew(const Parameters& parameters) : p_(parameters) {}
+
+  xgm::ImagePair run(const xgm::ImagePair& pair, const xgm::Context& context) const override {
+    const auto matches = match_key_points(pair, {p_.key_points, p_.ratio, p_.max_dy});
+    context.report("matches", static_cast<double>(matches.size()));
+    if (matches.size() < enough()) return leave_unmatched(pair, matches.size(), context);
+
+    auto agreeing =
+        consensus(matches, {p_.iterations, p_.threshold, static_cast<std::uint64_t>(p_.seed)});
+    agreeing = inliers(matches, fit(agreeing), p_.threshold);
+    context.report("inliers", static_cast<double>(agreeing.size()));
+    if (agreeing.size() < enough()) return leave_unmatched(pair, agreeing.size(), context);
+
+    const RowModel model = fit(agreeing);
+    const double shift = typical_shift(model, pair.size());
+    const bool correct = shift >= p_.min_correction;
+    report(model, agreeing, correct, context);
+    if (!correct) {
+      context.info("rows align already (typical shift " + pixels(shift) + " by " +
+                   std::to_string(agreeing.size()) + " matches): the pair is left as it is");
+      return pair;
+    }
+    context.info("rows of the match image are moved by " + pixels(shift) + " (median; " +
+                 std::to_string(agreeing.size()) + " of " + std::to_string(matches.size()) +
+                 " matches agree)");
+    return {pair.base, warp_rows(pair.match, model)};
+  }
+
+ private:
+  std::size_t enough() const { return static_cast<std::size_t>(p_.min_matches); }
+
+  xgm::ImagePair leave_unmatched(const xgm::ImagePair& pair, std::size_t count,
+                                 const xgm::Context& context) const {
+    context.warn("only " + std::to_string(count) + " key points match, fewer than min_matches " +
+                 std::to_string(p_.min_matches) + ": the pair is left as it is");
+    return pair;
+  }
+
+  /// dy = a * x + b * y + c, and |dy| of the matches that agree with it.
+  void report(const RowModel& model, const std::vector<Correspondence>& agreeing, bool correct,
+              const xgm::Context& context) const {
+    context.report("a", model.a);
+    context.report("b", model.b);
+    context.report("c", model.c);
+    const auto before = residuals(agreeing, {});
+    const auto after = residuals(agreeing, correct ? model : RowModel{});
+    context.report("dy_median_before", quantile(before, 0.5));
+    context.report("dy_p90_before", quantile(before, 0.9));
+    context.report("dy_median_after", quantile(after, 0.5));
+    context.report("dy_p90_after", quantile(after, 0.9));
+  }
+
+  Parameters p_;
+};
+
+}  // namespace
+
+XGM_PLUGIN(registry) {
+  registry.add<RansacDeskew>(
+      "ransac_deskew",
+      "Aligns the rows of the match image with those of the base image by a linear model.",
+      "Fischler, Bolles: Random sample consensus, CACM 1981; Lowe: Distinctive image features from "
+      "scale-invariant keypoints, IJCV 2004");
+}

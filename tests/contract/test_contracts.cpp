@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every plugin of the library keeps the contract of its kind.
+#include <map>
+
+#include "support/support.hpp"
+#include "xgm/testing/contract.hpp"
+
+using namespace xgm;
+using namespace xgm::testing;
+
+namespace {
+
+/// Plugins that need more than their name, because a stage inside has no default.
+const std::map<std::string, std::string>& configurations() {
+  static const std::string semi_global =
+      "{type: semi_global, cost: census, penalty: constant, aggregation: sgm}";
+  static const std::map<std::string, std::string> table{
+      {"cost/weighted_sum",
+       "{type: weighted_sum, costs: [census, absolute_difference], weights: [1, 1]}"},
+      {"matcher/semi_global", semi_global},
+      {"matcher/left_right", "{type: left_right, matcher: " + semi_global + "}"},
+      {"matcher/pyramid",
+       "{type: pyramid, scale: 4, search_range: min_max, matcher: {type: "
+       "left_right, matcher: " +
+           semi_global + "}}"},
+  };
+  return table;
+}
+
+std::string configuration(const PluginInfo& plugin) {
+  const auto found = configurations().find(plugin.kind + "/" + plugin.name);
+  return found == configurations().end() ? "{type: " + plugin.name + "}" : found->second;
+}
+
+void check(const PluginInfo& plugin) {
+  INFO("plugin ", plugin.kind, "/", plugin.name);
+  std::shared_ptr<const Stage> stage;
+  try {
+    stage = make_stage(plugin.kind, configuration(plugin), builtins());
+  } catch (const Error& error) {
+    FAIL_CHECK(
+        "cannot be made, so its contract is not tested; give it a line in configurations(): ",
+        error.what());
+    return;
+  }
+  for (const std::string& violation : check_stage(*stage)) FAIL_CHECK(violation);
+}
+
+void check_all(const std::string& kind) {
+  const auto plugins = builtins().plugins(kind);
+  CHECK_MESSAGE(!plugins.empty(), "there is no plugin of kind ", kind);
+  for (const PluginInfo* plugin : plugins) check(*plugin);
+}
+
+}  // namespace
+
+TEST_CASE("contract: every preprocess plugin") { check_all("preprocess"); }
+TEST_CASE("contract: every matcher plugin") { check_all("matcher"); }
+TEST_CASE("contract: every cost plugin") { check_all("cost"); }
+TEST_CASE("contract: every penalty plugin") { check_all("penalty"); }
+TEST_CASE("contract: every aggregation plugin") { check_all("aggregation"); }
+TEST_CASE("contract: every selection plugin") { check_all("selection"); }
+TEST_CASE("contract: every refinement plugin") { check_all("refinement"); }
+TEST_CASE("contract: every filter plugin") { check_all("filter"); }
+TEST_CASE("contract: every consistency plugin") { check_all("consistency"); }
+TEST_CASE("contract: every search_range plugin") { check_all("search_range"); }
+
+TEST_CASE("contract: no kind is left out") { CHECK(Registry::kinds().size() == 10); }
+
+TEST_CASE("contract: every line of the table is about a plugin that is there") {
+  for (const auto& [plugin, yaml] : configurations()) {
+    const auto slash = plugin.find('/');
+    CHECK_MESSAGE(builtins().find(plugin.substr(0, slash), plugin.substr(slash + 1)) != nullptr,
+                  plugin);
+  }
+}

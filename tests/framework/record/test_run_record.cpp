@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <doctest/doctest.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "support/support.hpp"
+#include "xgm/memory.hpp"
+#include "xgm/run_record.hpp"
+
+using namespace xgm;
+
+TEST_CASE("recorder: stages in the order they begin, figures at the call that told them") {
+  RunRecorder recorder;
+  recorder.stage_begin("matcher", "pyramid");
+  recorder.stage_begin("matcher.cost", "census");
+  recorder.report("matcher.cost", "ones", 1);
+  recorder.stage_end("matcher.cost", {0.5, 10}, {});
+  recorder.stage_begin("matcher.cost", "census");
+  recorder.report("matcher.cost", "ones", 2);
+  recorder.stage_end("matcher.cost", {0.25, 20}, {});
+  recorder.report("elsewhere", "lost", 3);
+  recorder.log(LogLevel::info, "matcher", "not kept");
+  recorder.log(LogLevel::warning, "matcher", "kept");
+  const auto& stages = recorder.stages();
+  REQUIRE(stages.size() == 4);
+  CHECK(stages[0].path == "matcher");
+  CHECK_FALSE(stages[0].finished);
+  CHECK(stages[1].statistics.seconds == 0.5);
+  CHECK(stages[1].figures[0].second == 1);
+  CHECK(stages[2].statistics.bytes == 20);
+  CHECK(stages[2].figures[0].second == 2);
+  CHECK(stages[3].path == "elsewhere");
+  REQUIRE(recorder.warnings().size() == 1);
+  CHECK(recorder.warnings()[0] == "matcher: kept");
+}
+
+TEST_CASE("run.json is valid JSON whatever the names and figures are") {
+  RunRecord record;
+  record.resolved_pipeline = R"({"matcher": {"type": "x"}})";
+  record.scene = "name in Latin-1: \xe4";
+  record.inputs = {{"left", "a\"b\n.png", {12, "00000000000000ff"}}};
+  record.overrides = {{"matcher.scale", "2"}};
+  record.disparities = {-3, 5};
+  record.stages = {{"matcher", "x", {1.5, 100}, true, {{"nan", std::nan("")}}}};
+  record.truth = Evaluation{4, 0.25, 0.5, {{1, 0.25, 0.5}}};
+  const auto json = nlohmann::json::parse(to_json(record));
+  CHECK(json["pipeline"]["resolved"]["matcher"]["type"] == "x");
+  CHECK(json["pipeline"]["overrides"][0]["path"] == "matcher.scale");
+  CHECK(json["scene"]["inputs"][0]["file"] == "a\"b\n.png");
+  CHECK(json["disparities"]["first"] == -3);
+  CHECK(json["disparities"]["last"] == 4);
+  CHECK(json["stages"][0]["seconds"] == 1.5);
+  CHECK(json["stages"][0]["figures"]["nan"].is_null());
+  CHECK(json["truth"]["thresholds"][0]["total"] == 0.5);
+  CHECK(json["status_shares"].size() == kStatusCount);
+  CHECK_FALSE(json["versions"]["opencv"].get<std::string>().empty());
+}
+
+TEST_CASE("memory: the figures are those of a living process") {
+  CHECK(peak_memory() > 1'000'000);
+  CHECK(available_memory() > 1'000'000);
+}

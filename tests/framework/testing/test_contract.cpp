@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+// The contract checks notice stages that break their contract, and pass one that keeps it.
+#include "xgm/testing/contract.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/support.hpp"
+
+using namespace xgm;
+using namespace xgm::testing;
+
+namespace {
+
+bool tells(const Violations& violations, const std::string& rule) {
+  return std::any_of(violations.begin(), violations.end(), [&](const std::string& violation) {
+    return violation.find(rule) != std::string::npos;
+  });
+}
+
+enum class Fault { none, max_cost, outside, masked, levels, ragged, threads, changes, throws };
+
+/// |difference| / 2 of the first planes, with a fault planted.
+class FaultyCost final : public Cost {
+ public:
+  explicit FaultyCost(Fault fault) : fault_(fault) {}
+
+  CostVolume run(const ImagePair& pair, const VolumeShapePtr& shape,
+                 const Context&) const override {
+    if (fault_ == Fault::throws && pair.size().area() == 1) throw Error("one pixel only");
+    CostVolume costs(shape, fault_ == Fault::max_cost ? 20 : 128);
+    for (int y = 0; y < shape->height(); ++y)
+      for (int x = 0; x < shape->width(); ++x)
+        for (int i = 0; i < shape->count(y, x); ++i)
+          costs.at(y, x)[i] = cost(pair, y, x, x - shape->begin(y, x) - i, shape->count(y, x));
+    if (fault_ == Fault::threads && costs.shape().cells() > 0 && costs.data()[0] < 100)
+      costs.data()[0] = static_cast<std::uint8_t>(thread_count());
+    if (fault_ == Fault::changes) cv::Mat1f(pair.base.planes[0])(0, 0) += 1;
+    return costs;
+  }
+
+ private:
+  std::uint8_t cost(const ImagePair& pair, int y, int x, int x_match, int count) const {
+    const bool inside = x_match >= 0 && x_match < pair.size().width;
+    if (!inside) return fault_ == Fault::outside ? std::uint8_t{9} : CostVolume::kNoMatch;
+    if (!pair.match.is_valid(y, x_match) && fault_ != Fault::masked) return CostVolume::kNoMatch;
+    const cv::Mat1f& base = pair.base.planes[0];
+    float value = std::abs(base(y, x) - pair.match.planes[0](y, x_match)) / 2;
+    if (fault_ == Fault::levels && x > 0) value = base(y, x - 1) / 2;
+    if (fault_ == Fault::ragged) value = static_cast<float>(count % 100);
+    return static_cast<std::uint8_t>(value);
+  }
+
+  Fault fault_;
+};
+
+enum class MapFault { none, status, lost, unmasked, size };
+
+/// Returns the map as it is, but for a planted fault.
+class FaultyFilter final : public Filter {
+ public:
+  explicit FaultyFilter(MapFault fault) : fault_(fault) {}
+
+  DisparityMap run(const DisparityMap& map, const ImagePair&, const Context&) const override {
+    if (fault_ == MapFault::size) return DisparityMap({3, 3});
+    DisparityMap result = map.clone();
+    for (int y = 0; y < map.size().height; ++y) {
+      for (int x = 0; x < map.size().width; ++x) {
+        const bool missing_neighbour = x > 0 && !map.valid(y, x - 1);
+        if (fault_ == MapFault::status && !map.valid(y, x)) result.disparity(y, x) = 0;
+        if (fault_ == MapFault::unmasked && !map.valid(y, x)) result.set(y, x, 1, Status::filled);
+        if (fault_ == MapFault::lost && missing_neighbour && map.valid(y, x))
+          result.invalidate(y, x, Status::peak);
+      }
+    }
+    return result;
+  }
+
+ private:
+  MapFault fault_;
+};
+
+/// Takes the first disparity of each pixel, or one too far.
+class FirstDisparity final : public Selection {
+ public:
+  explicit FirstDisparity(float offset) : offset_(offset) {}
+
+  DisparityMap run(const AggregatedVolume& sums, const Context&) const override {
+    const VolumeShape& shape = sums.shape();
+    DisparityMap map(shape.size());
+    for (int y = 0; y < shape.height(); ++y)
+      for (int x = 0; x < shape.width(); ++x)
+        for (int i = shape.count(y, x) - 1; i >= 0; --i)
+          if (sums.at(y, x)[i] != AggregatedVolume::kNoMatch)
+            map.set(y, x, static_cast<float>(shape.begin(y, x) + i) + offset_);
+    return map;
+  }
+
+ private:
+  float offset_;
+};
+
+/// Matches everything with the same disparity, in range or not.
+class FixedMatcher final : public Matcher {
+ public:
+  MatchResult run(const MatchRequest& request, const Context&) const override {
+    MatchResult result{DisparityMap(request.pair.size()), {}};
+    result.forward.set(0, 0, 1000);
+    return result;
+  }
+};
+
+class TooFar final : public Refinement {
+ public:
+  DisparityMap run(const DisparityMap& map, const AggregatedVolume&,
+                   const Context&) const override {
+    DisparityMap result = map.clone();
+    result.disparity += 0.6F;
+    return result;
+  }
+};
+
+class FewerRows final : public Preprocess {
+ public:
+  ImagePair run(const ImagePair& pair, const Context&) const override {
+    ImagePair result = pair;
+    result.match.planes[0] = cv::Mat1f(pair.size().height + 1, pair.size().width, 0.0F);
+    return result;
+  }
+};
+
+class Narrow final : public SearchRange {
+ public:
+  DisparityRange run(const DisparityMap&, const DisparityRange& limits,
+                     const Context&) const override {
+    return DisparityRange::uniform(limits.size(), {limits.hull().begin, limits.hull().begin});
+  }
+};
+
+class Inventive final : public Consistency {
+ public:
+  MatchResult run(const MatchResult& result, const Context&) const override {
+    MatchResult checked{result.forward.clone(), result.reverse->clone()};
+    for (int x = 0; x < checked.forward.size().width; ++x) checked.forward.set(0, x, 1);
+    return checked;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("contract checks: a cost that keeps the contract passes, each planted fault is told") {
+  CHECK(check_cost(FaultyCost(Fault::none)) == Violations{});
+  CHECK(tells(check_cost(FaultyCost(Fault::max_cost)), "exceeds max_cost"));
+  CHECK(tells(check_cost(FaultyCost(Fault::outside)), "not kNoMatch"));
+  CHECK(tells(check_cost(FaultyCost(Fault::masked)), "masked image: a cost where nothing"));
+  CHECK(tells(check_cost(FaultyCost(Fault::levels)), "grey levels of masked pixels"));
+  CHECK(tells(check_cost(FaultyCost(Fault::ragged)), "which other cells"));
+  CHECK(tells(check_cost(FaultyCost(Fault::threads)), "number of threads"));
+  CHECK(tells(check_cost(FaultyCost(Fault::changes)), "images were changed"));
+  CHECK(tells(check_cost(FaultyCost(Fault::throws)), "image of one pixel: it throws"));
+}
+
+TEST_CASE("contract checks: a filter that keeps the contract passes, each planted fault is told") {
+  CHECK(check_filter(FaultyFilter(MapFault::none)) == Violations{});
+  CHECK(tells(check_filter(FaultyFilter(MapFault::status)), "disagree"));
+  CHECK(tells(check_filter(FaultyFilter(MapFault::lost)), "a pixel is lost"));
+  CHECK(tells(check_filter(FaultyFilter(MapFault::unmasked)), "other pixels are masked"));
+  CHECK(tells(check_filter(FaultyFilter(MapFault::size)), "image's size"));
+}
+
+TEST_CASE("contract checks: faults of the other kinds are told") {
+  CHECK(check_selection(FirstDisparity(0)) == Violations{});
+  CHECK(tells(check_selection(FirstDisparity(0.5F)), "not a whole one"));
+  CHECK(tells(check_selection(FirstDisparity(1000)), "pixel's range"));
+  const Violations matcher = check_matcher(FixedMatcher());
+  CHECK(tells(matcher, "outside the range"));
+  CHECK(tells(matcher, "status masked"));
+  CHECK(tells(matcher, "fewer than half"));
+  CHECK(tells(check_refinement(TooFar()), "more than half a pixel"));
+  CHECK(tells(check_preprocess(FewerRows()), "base image's size"));
+  CHECK(tells(check_search_range(Narrow()), "nothing to search"));
+  CHECK(tells(check_consistency(Inventive()), "a disparity was added"));
+}
+
+TEST_CASE("contract checks: check_stage finds the kind") {
+  CHECK(check_stage(FirstDisparity(0)) == Violations{});
+  CHECK(tells(check_stage(FirstDisparity(0.5F)), "not a whole one"));
+  CHECK(tells(check_stage(Stage{}), "no kind"));
+}
