@@ -7,12 +7,13 @@ demo := build/demo
 pipeline := build/release/bin/pipeline
 
 .DELETE_ON_ERROR:
-.PHONY: help packages configure build demo test check format
+.PHONY: help packages configure build demo test check reference format
 help:
 	@echo "make demo    match the Aloe pair with the paper's best pipeline; pictures in $(demo)/"
 	@echo "make build   the program, $(pipeline)"
 	@echo "make test    build and run the whole test suite"
 	@echo "make check   what every change must pass: .ci/run"
+	@echo "make reference  write docs/reference anew, after plugins changed"
 	@echo "make format  lay out all sources as the format check wants them"
 	@echo "Missing Debian packages are installed first (as root or with sudo)."
 
@@ -40,6 +41,10 @@ test: configure
 
 check:
 	@.ci/run
+
+reference: configure
+	@cmake --build --preset release --target xgm_docs_tests
+	@build/release/bin/xgm_docs_tests --no-skip --test-case="write docs/reference"
 
 format:
 	@git ls-files '*.cpp' '*.hpp' | xargs clang-format-14 -i

@@ -39,6 +39,8 @@ cp -r "$here/project" "$work/project"
   -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS="-Wall -Wextra -Wpedantic -Werror" >configure.log ||
   { cat configure.log; fail "it does not configure"; }
 "$cmake" --build plugins >build.log || { cat build.log; fail "it does not build"; }
+(cd plugins && "$(dirname "$cmake")/ctest" --output-on-failure) >contract.log ||
+  { cat contract.log; fail "its tests fail"; }
 symbols=$(nm -DC --defined-only plugins/xgm_trim_border.so | grep -c ' T ') || true
 [ "$symbols" = 1 ] || fail "a plugin shows $symbols functions instead of one"
 

@@ -33,15 +33,15 @@ struct PipelineParameters {
 static constexpr double kMostDisparity = 1e6;
 
 static void describe(PipelineParameters& p, ParameterSet& set) {
-  set.add("xgm", p.version, "Version of the file format").range(1, 1);
+  set.add("xgm", p.version, "Version of the file format.").range(1, 1);
   set.add("disparities", p.disparities,
           "Search range [first, last], both included, when neither the command line nor the scene "
-          "gives one")
+          "gives one.")
       .unit("px")
       .range(-kMostDisparity, kMostDisparity);
-  set.add("preprocess", p.preprocess, "What is done to the images before matching, in order");
-  set.add("matcher", p.matcher, "Finds the disparity map");
-  set.add("postprocess", p.postprocess, "What is done to the finished maps, in order");
+  set.add("preprocess", p.preprocess, "What is done to the images before matching, in order.");
+  set.add("matcher", p.matcher, "Finds the disparity map.");
+  set.add("postprocess", p.postprocess, "What is done to the finished maps, in order.");
   set.rule({"disparities"}, "must be two whole numbers, the first not above the second", [&p] {
     const auto& d = p.disparities;
     const auto whole = [](double v) { return v == std::floor(v); };

@@ -34,7 +34,8 @@ class Pyramid final : public xgm::Matcher {
     set.rule({"scale"}, "must be a power of two: 1, 2, 4, 8, 16, 32 or 64",
              [&p] { return std::has_single_bit(static_cast<unsigned>(p.scale)); });
     set.rule({"matcher", "scale"},
-             "needs one range for the whole image and cannot work in a pyramid",
+             "must take a range per pixel; one that needs one range for the whole image cannot "
+             "work here",
              [&p] { return p.scale == 1 || p.matcher->accepts_range_maps(); });
   }
 
