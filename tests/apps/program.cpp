@@ -13,9 +13,8 @@ namespace xgm::testing {
 Outcome pipeline(const std::string& folder, const std::string& arguments,
                  const std::string& before) {
   const std::string errors = folder + "/stderr.txt";
-  const std::string command = "cd '" + folder + "' && " + before +
-                              "'" XGM_PIPELINE_BINARY "' " + arguments + " 2> '" + errors +
-                              "' < /dev/null";
+  const std::string command = "cd '" + folder + "' && " + before + "'" XGM_PIPELINE_BINARY "' " +
+                              arguments + " 2> '" + errors + "' < /dev/null";
   Outcome outcome;
   FILE* pipe = popen(command.c_str(), "r");
   if (pipe == nullptr) return outcome;

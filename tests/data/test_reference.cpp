@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Our SGM and MGM agree with the maps of an independent program (gfacciol/mgm), which are kept in
 // ../reference/mgm beside the test data with a README of their settings.
+//
+// The maps called 16 are no measure: that program knows eight directions. Its table of passes ends
+// there ("22.5 degrees ..." is an empty comment), and asked for 16 it reads past the table's end
+// (built with -D_GLIBCXX_ASSERTIONS it stops: "vector::operator[]: __n < this->size()"). What the
+// passes 9 to 16 did is undefined, so for these maps the shares are printed, not judged.
 #include <cmath>
 #include <iostream>
 #include <opencv2/imgcodecs.hpp>
@@ -54,7 +59,7 @@ double agreement(const DisparityMap& ours, const cv::Mat1f& theirs) {
 
 }  // namespace
 
-TEST_CASE("reference: at least 97 % of pixels agree within 1 px with an independent program") {
+TEST_CASE("at least 97 % of pixels agree within 1 px with an independent program, 8 directions") {
   const auto data = test_data("comparison with an independent program");
   if (!data) return;
   const std::vector<Scene> scenes{
@@ -77,7 +82,7 @@ TEST_CASE("reference: at least 97 % of pixels agree within 1 px with an independ
                                       .forward;
         const double share = agreement(ours, theirs);
         std::cout << name << ": " << 100 * share << " % agree within 1 px" << std::endl;
-        CHECK_MESSAGE(share >= 0.97, name);
+        if (directions == 8) CHECK_MESSAGE(share >= 0.97, name);
       }
     }
   }

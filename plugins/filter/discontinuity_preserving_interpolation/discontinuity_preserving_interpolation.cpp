@@ -39,13 +39,15 @@ class Interpolation final : public xgm::Filter {
     bool spread_occlusions = true;
   };
   static void describe(Parameters& p, xgm::ParameterSet& set) {
-    set.add_choice("directions", p.directions,
-                   "Paths along which each hole looks for disparities; 16 adds knight's moves.",
-                   {{"8", 8}, {"16", 16}});
+    set.add("directions", p.directions,
+            "Paths along which each hole looks for disparities: 8, or 16 with knight's moves.")
+        .range(8, 16);
+    set.rule({"directions"}, "must be 8 or 16",
+             [&p] { return p.directions == 8 || p.directions == 16; });
     set.add_choice(
         "background", p.background,
-        "Which disparities are the far ones: the lowest in a left view, the highest in "
-        "a right view (a reverse map) or where the images were given the other way round.",
+        "Which disparities of the left map are the far ones: the lowest, or the highest where the "
+        "images were given the other way round. (The right map is the other way round, always.)",
         {{"lowest", Background::lowest}, {"highest", Background::highest}});
     set.add("spread_occlusions", p.spread_occlusions,
             "Whether areas of mismatched pixels that touch an occluded pixel are filled like "
@@ -53,7 +55,7 @@ class Interpolation final : public xgm::Filter {
   }
   explicit Interpolation(Parameters p) : p_(p) {}
 
-  DisparityMap run(const DisparityMap& map, const xgm::ImagePair&,
+  DisparityMap run(const DisparityMap& map, const xgm::ImagePair& pair,
                    const xgm::Context&) const override {
     const dpi::Holes holes(fillable(map));
     const cv::Mat1b occluded = dpi::occlusions(map, p_.spread_occlusions);
@@ -63,12 +65,13 @@ class Interpolation final : public xgm::Filter {
       const auto k = static_cast<std::size_t>(i);
       seen[k] = dpi::first_along(map.disparity, holes, steps[k]);
     });
+    const bool far_is_low = (p_.background == Background::lowest) != pair.is_reverse;
     DisparityMap filled = map.clone();
     xgm::parallel_for(0, map.size().height, [&](int y) {
       std::size_t hole = holes.row_begin[static_cast<std::size_t>(y)];
       for (int x = 0; x < map.size().width; ++x) {
         if (holes.mask(y, x) == 0) continue;
-        const float value = combine(seen, hole++, occluded(y, x) != 0);
+        const float value = combine(seen, hole++, occluded(y, x) != 0, far_is_low);
         if (!std::isnan(value)) filled.set(y, x, value, Status::filled);
       }
     });
@@ -79,9 +82,9 @@ class Interpolation final : public xgm::Filter {
   /// Of the values seen from a hole, ordered from the background: the second if it is occluded,
   /// else the middle one (of two, the one nearer the background: a mean would lie on no surface).
   /// The only one if there is one, NaN if none.
-  float combine(const std::vector<std::vector<float>>& seen, std::size_t hole,
-                bool occluded) const {
-    const float sign = p_.background == Background::lowest ? 1.0F : -1.0F;
+  static float combine(const std::vector<std::vector<float>>& seen, std::size_t hole, bool occluded,
+                       bool far_is_low) {
+    const float sign = far_is_low ? 1.0F : -1.0F;
     std::array<float, kMaxDirections> values{};
     std::size_t n = 0;
     for (const std::vector<float>& along : seen) {

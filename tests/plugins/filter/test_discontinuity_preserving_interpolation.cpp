@@ -20,12 +20,12 @@ struct Settings {
   bool spread = true;
 };
 
-DisparityMap run(const Settings& s, const DisparityMap& map) {
+DisparityMap run(const Settings& s, const DisparityMap& map, const xgm::ImagePair& pair = {}) {
   const std::string yaml =
       "{type: discontinuity_preserving_interpolation, directions: " + std::to_string(s.directions) +
       ", background: " + s.background + ", spread_occlusions: " + (s.spread ? "true" : "false") +
       "}";
-  return xgm::testing::stage<xgm::Filter>(yaml)->run(map, {}, xgm::Context{});
+  return xgm::testing::stage<xgm::Filter>(yaml)->run(map, pair, xgm::Context{});
 }
 
 bool inside(const DisparityMap& map, cv::Point p) { return cv::Rect({}, map.size()).contains(p); }
@@ -147,6 +147,14 @@ TEST_CASE("interpolation of a negated map with the other background is the negat
   CHECK(cv::countNonZero(result.status != expected.status) == 0);
   CHECK(cv::countNonZero(result.disparity != expected.disparity) ==
         cv::countNonZero(expected.disparity != expected.disparity));  // NaN only
+}
+
+TEST_CASE("in a reverse map the background is at the other end") {
+  const DisparityMap map = xgm::testing::random_map({31, 22}, {-12, 7, 0.25, 0.5}, 78);
+  const xgm::ImagePair reverse = xgm::ImagePair{}.swapped();
+  CHECK(identical(run({8, "lowest", true}, map, reverse), run({8, "highest", true}, map)));
+  CHECK(identical(run({8, "highest", true}, map, reverse), run({8, "lowest", true}, map)));
+  CHECK(identical(run({}, map, reverse.swapped()), run({}, map)));
 }
 
 TEST_CASE("interpolation gives the same map on any number of threads") {

@@ -33,10 +33,12 @@ struct XGM_API Image {
 struct XGM_API ImagePair {
   Image base;
   Image match;
+  /// Whether the base is the right view: what is near has the lower disparities then.
+  bool is_reverse = false;
 
   cv::Size size() const { return base.size(); }
   /// The same pair seen from the other view; its disparities are the negatives.
-  ImagePair swapped() const { return {match, base}; }
+  ImagePair swapped() const { return {match, base, !is_reverse}; }
 };
 
 }  // namespace xgm
