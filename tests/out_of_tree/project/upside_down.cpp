@@ -51,7 +51,8 @@ class UpsideDown final : public xgm::Matcher {
 
   xgm::MatchResult run(const xgm::MatchRequest& request,
                        const xgm::Context& context) const override {
-    xgm::MatchRequest turned{{flipped(request.pair.base), flipped(request.pair.match)},
+    const xgm::ImagePair& pair = request.pair;
+    xgm::MatchRequest turned{{flipped(pair.base), flipped(pair.match), pair.is_reverse},
                              flipped(request.range),
                              std::nullopt};
     if (request.reverse_range) turned.reverse_range = flipped(*request.reverse_range);
