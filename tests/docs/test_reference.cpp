@@ -46,7 +46,9 @@ std::string places(const std::string& kind) {
 }
 
 std::string page(const std::string& kind, const std::string& text) {
-  std::string page = kNote + ("\n# Kind `" + kind + "`\n\nA " + kind + " stage " + text + ".\n\n");
+  const std::string article = kind.front() == 'a' ? "An " : "A ";
+  std::string page = kNote + ("\n# Kind `" + kind + "`\n\n");
+  page += article + kind + " stage " + text + ".\n\n";
   page += "In a pipeline: " + places(kind) + ".\n\n";
   page += "In C++: [`xgm/stage/" + kind + ".hpp`](../../framework/include/xgm/stage/" + kind +
           ".hpp).\n\n";

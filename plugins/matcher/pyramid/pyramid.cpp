@@ -11,7 +11,7 @@ namespace {
 
 /// The paper's Algorithms 3 and 4 around any matcher that takes a range per pixel: with
 /// left_right(semi_global) inside, tSGM and tMGM. The coarsest level searches all of the request's
-/// range (Table 2); each finer one what the search_range stage makes of the checked map before it.
+/// range (Table 1); each finer one what the search_range stage makes of the checked map before it.
 /// One thing differs: the paper relaxes the user's interval itself by epsilon, which would yield
 /// disparities that nobody asked for. Here no level leaves the interval, rounded to its scale.
 class Pyramid final : public xgm::Matcher {
