@@ -19,7 +19,7 @@ float distance(float value, float low, float high) {
   return std::max({0.0F, value - high, low - value});
 }
 
-/// Eq. 1 to 3 of the publication: the pixel of one view against the range of the other, whichever
+/// The publication's d(x_L, x_R): the pixel of one view against the range of the other, whichever
 /// way is closer.
 float dissimilarity(const IntensityRow& a, std::size_t i, const IntensityRow& b, std::size_t j) {
   return std::min(distance(a.value[i], b.low[j], b.high[j]),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // OpenCV's semi-global matcher, so that a well-known peer runs in our pipelines and tables.
+#include <algorithm>
 #include <opencv2/calib3d.hpp>
 #include <string>
 
@@ -63,12 +64,15 @@ class OpenCvSgbm final : public xgm::Matcher {
     const cvt::Padding needed = cvt::skipped_columns(searched);
     const cvt::Padding padding = parameters_.pad ? needed : cvt::Padding{};
     const cvt::Padding skipped = parameters_.pad ? cvt::Padding{} : needed;
-    if (skipped.left + skipped.right >= pair.size().width) return unmatched(pair);
+    const cv::Size size = pair.size();
+    const int usable_width = size.width - skipped.left - skipped.right;
+    // OpenCV's result depends on memory that it never set where less than a block is left.
+    if (std::min(usable_width, size.height) < parameters_.block_size) return unmatched(pair);
 
     cv::Mat1s sixteenths;
     matcher(searched)->compute(cvt::to_8bit(pair.base, padding), cvt::to_8bit(pair.match, padding),
                                sixteenths);
-    const cv::Rect unpadded({padding.left, 0}, pair.size());
+    const cv::Rect unpadded({padding.left, 0}, size);
     const cvt::Meaning meaning{searched, asked, skipped, xgm::Status::mismatched};
     return {cvt::from_sixteenths(sixteenths(unpadded), pair, meaning), std::nullopt};
   }

@@ -64,5 +64,5 @@ XGM_PLUGIN(registry) {
   registry.add<Gradient>("gradient",
                          "P2 is divided by the change of intensity along the path, down to P1.",
                          "Hirschmueller, Stereo processing by semiglobal matching and mutual "
-                         "information, PAMI 2008, Eq. 13");
+                         "information, PAMI 2008");
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// The declarations of P1 and P2.
 #include "plugins/penalty/shared/describe.hpp"
 
 #include <utility>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Differences along a path, without a branch per pixel for the image border.
 #include "plugins/penalty/shared/grey_view.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Steps sorted by their angle.
 #include "plugins/penalty/two_image_gradient/orientation.hpp"
 
 #include <cstdlib>

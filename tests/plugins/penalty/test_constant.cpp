@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Constant penalties.
 #include "plugins/penalty/penalty_cases.hpp"
 
 using namespace xgm;
