@@ -76,4 +76,4 @@ claim "without the plugins the names are unknown (exit 2)"
 status=0
 run --output none || status=$?
 [ $status = 2 ] || { cat run.log; fail "exit $status"; }
-grep -q "there is no cost called 'squared_difference'" run.log || { cat run.log; fail "message"; }
+grep -q "there is no matcher called 'upside_down'" run.log || { cat run.log; fail "message"; }
