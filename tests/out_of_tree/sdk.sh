@@ -65,8 +65,10 @@ grep -qF "$work/plugins/junk.so" run.log || fail "nobody is told of the broken f
 claim "a broken file that is used is named with the reason, and no image is opened (exit 2)"
 mv plugins/xgm_trim_border.so hidden.so
 head -c 1000 "$here/sdk.sh" >plugins/xgm_trim_border.so
+echo "not an image: opening it would be the error" >no_image.png
 status=0
-XGM_PLUGIN_PATH=$work/plugins run --output broken --left absent.png --right absent.png || status=$?
+XGM_PLUGIN_PATH=$work/plugins run --output broken --left no_image.png --right no_image.png ||
+  status=$?
 [ $status = 2 ] || { cat run.log; fail "exit $status"; }
 grep -q "my_pipeline.yaml:18:12: error: .*trim_border.*could not be loaded" run.log &&
   grep -q "$work/plugins/xgm_trim_border.so: .*ELF" run.log ||
@@ -76,4 +78,4 @@ claim "without the plugins the names are unknown (exit 2)"
 status=0
 run --output none || status=$?
 [ $status = 2 ] || { cat run.log; fail "exit $status"; }
-grep -q "there is no cost called 'squared_difference'" run.log || { cat run.log; fail "message"; }
+grep -q "there is no matcher called 'upside_down'" run.log || { cat run.log; fail "message"; }

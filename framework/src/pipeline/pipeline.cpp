@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "xgm/pipeline.hpp"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -63,23 +61,18 @@ struct Pipeline::Impl {
 
 namespace {
 
-// The calling thread's settings for parallel loops, put back at the end of a run.
-class ThreadLimit {
+// OpenCV's own number of threads, put back at the end of a run.
+class OpenCvThreads {
  public:
-  explicit ThreadLimit(int threads) : omp_(omp_get_max_threads()), cv_(cv::getNumThreads()) {
-    if (threads <= 0) return;
-    omp_set_num_threads(threads);
-    cv::setNumThreads(threads);
+  explicit OpenCvThreads(int threads) : before_(cv::getNumThreads()) {
+    if (threads > 0) cv::setNumThreads(threads);
   }
-  ~ThreadLimit() {
-    omp_set_num_threads(omp_);
-    cv::setNumThreads(cv_);
-  }
-  ThreadLimit(const ThreadLimit&) = delete;
-  ThreadLimit& operator=(const ThreadLimit&) = delete;
+  ~OpenCvThreads() { cv::setNumThreads(before_); }
+  OpenCvThreads(const OpenCvThreads&) = delete;
+  OpenCvThreads& operator=(const OpenCvThreads&) = delete;
 
  private:
-  int omp_, cv_;
+  int before_;
 };
 
 void check_request(const MatchRequest& request) {
@@ -105,6 +98,7 @@ MatchResult Pipeline::run(const MatchRequest& request, Observer& observer, int t
     throw Error("matcher", "needs one range for the whole image; give no range maps");
   }
   const ThreadLimit limit(threads);
+  const OpenCvThreads opencv_limit(threads);
   const Context context(observer);
   MatchRequest prepared = request;
   for (const auto& stage : p.preprocess) {

@@ -95,9 +95,8 @@ TEST_CASE("a sound plugin works beside all the broken ones, whatever the order")
   for (const bool sound_first : {true, false}) {
     Registry registry = xgm::testing::fake_registry();
     if (sound_first) CHECK(registry.load(broken("sound")));
-    for (const std::string name :
-         {"wrong_abi", "wrong_tag", "no_symbol", "no_handshake", "throws", "throws_number",
-          "name_taken", "name_twice"}) {
+    for (const std::string name : {"wrong_abi", "wrong_tag", "no_symbol", "no_handshake", "throws",
+                                   "throws_number", "name_taken", "name_twice"}) {
       CHECK_FALSE(registry.load(broken(name)));
     }
     if (!sound_first) CHECK(registry.load(broken("sound")));
