@@ -48,6 +48,7 @@ class UpsideDown final : public xgm::Matcher {
   explicit UpsideDown(Parameters p) : matcher_(std::move(p.matcher)) {}
 
   bool accepts_range_maps() const override { return matcher_->accepts_range_maps(); }
+  bool gives_reverse_map() const override { return matcher_->gives_reverse_map(); }
 
   xgm::MatchResult run(const xgm::MatchRequest& request,
                        const xgm::Context& context) const override {
