@@ -2,14 +2,31 @@
 // The command line: every subcommand has a file of its own.
 #include <spdlog/spdlog.h>
 
+#include <iostream>
 #include <opencv2/core/utils/logger.hpp>
 
 #include "common.hpp"
 #include "console.hpp"
 #include "xgm/plugin/version.hpp"
 
+namespace {
+
+using namespace xgm::cli;
+
+bool is_unknown(const CLI::App& app, const char* subcommand) {
+  return subcommand[0] != '-' && app.get_subcommand_no_throw(subcommand) == nullptr;
+}
+
+/// What was asked for has to arrive: a full disk behind stdout is a failure.
+int finish(int exit_code) {
+  if (std::cout.flush()) return exit_code;
+  spdlog::error("standard output cannot be written; check the free space");
+  return exit_code == kOk ? kFailed : exit_code;
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
-  using namespace xgm::cli;
   set_up_logging("info");
   // What OpenCV has to say of unreadable files is said better by the errors of xgm.
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
@@ -26,10 +43,15 @@ int main(int argc, char** argv) {
   add_describe(app, call);
   add_graph(app, call);
   add_schema(app, call);
+  if (argc > 1 && is_unknown(app, argv[1])) {
+    spdlog::error("there is no subcommand '{}'; choose run, check, list, describe, graph or schema",
+                  argv[1]);
+    return kUsage;
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kOk : kUsage;  // 0: help and version
+    return finish(app.exit(error) == 0 ? kOk : kUsage);  // 0: help and version
   } catch (const UsageError& error) {
     spdlog::error(error.what());
     return kUsage;
@@ -37,5 +59,5 @@ int main(int argc, char** argv) {
     spdlog::error(error.what());
     return kFailed;
   }
-  return call.exit_code;
+  return finish(call.exit_code);
 }

@@ -14,6 +14,7 @@
 #include "run_options.hpp"
 #include "run_results.hpp"
 #include "xgm/base/parallel.hpp"
+#include "xgm/io/file.hpp"
 #include "xgm/io/outputs.hpp"
 #include "xgm/memory.hpp"
 
@@ -36,6 +37,13 @@ void make_folder(const std::string& folder) {
   std::filesystem::create_directories(folder, failure);
   if (!std::filesystem::is_directory(folder)) {
     throw UsageError("--output " + folder + ": cannot be made: " + failure.message());
+  }
+  try {  // a folder that cannot be written to should not cost the user a run
+    const std::string trial = (std::filesystem::path(folder) / ".writable").string();
+    write_file(trial, "");
+    std::filesystem::remove(trial, failure);
+  } catch (const Error& error) {
+    throw UsageError("--output " + error.message());
   }
 }
 
@@ -114,6 +122,9 @@ int run_checked(const RunOptions& options, const Pipeline& pipeline, const Plan&
   record.stages = observer.stages();
   record.warnings = observer.warnings();
   record.dumps = dumper.files();
+  if (!options.dump.empty() && record.dumps.empty()) {
+    spdlog::warn("--dump {}: no stage has such a path; run.json lists the paths", options.dump);
+  }
   record.valid_share = map.valid_share();
   record.status_shares = status_shares(map);
   if (!truth.disparities.empty()) {
@@ -123,7 +134,7 @@ int run_checked(const RunOptions& options, const Pipeline& pipeline, const Plan&
   write_results(options.output, map, record);
   progress.end();
   print_summary(options.output, record);
-  return judge(record);
+  return judge(map, record);
 }
 
 int run(const RunOptions& options, const std::vector<std::string>& command_line) {

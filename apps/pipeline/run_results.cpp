@@ -3,8 +3,10 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <opencv2/core.hpp>
 
 #include "common.hpp"
 #include "xgm/io/image_io.hpp"
@@ -15,6 +17,10 @@ namespace xgm::cli {
 namespace {
 
 constexpr double kFewDisparities = 0.05;
+// Within 1 px of an end of the range lie no disparities of a scene that fits into it, and a tenth
+// or more of them if it does not, or if the images are swapped.
+constexpr double kManyAtEnd = 0.05;
+constexpr int kShortRange = 16;  // where the ends are a good part of the range
 
 std::string in(const std::string& folder, const char* name) {
   return (std::filesystem::path(folder) / name).string();
@@ -22,9 +28,30 @@ std::string in(const std::string& folder, const char* name) {
 
 std::string percent(double share) { return fmt::format("{:.2f} %", 100 * share); }
 
+/// Of the matched pixels, the share within 1 px of `end`.
+double share_at(const DisparityMap& map, int end) {
+  const cv::Mat1b matched(map.status == static_cast<int>(Status::valid));
+  const cv::Mat1b near((map.disparity > end - 1.0) & (map.disparity < end + 1.0) & matched);
+  return cv::countNonZero(near) / std::max(1.0, static_cast<double>(cv::countNonZero(matched)));
+}
+
+void warn_of_ends(const DisparityMap& map, Interval searched) {
+  if (searched.size() < kShortRange) return;
+  for (const int end : {searched.begin, searched.end - 1}) {
+    const double share = share_at(map, end);
+    if (share < kManyAtEnd) continue;
+    spdlog::warn(
+        "{} of the matched disparities lie at {}, where the search range {} to {} ends: does the "
+        "scene reach beyond it, or are the images swapped?",
+        percent(share), end, searched.begin, searched.end - 1);
+  }
+}
+
 }  // namespace
 
 void write_results(const std::string& folder, const DisparityMap& map, const RunRecord& record) {
+  std::error_code missing;  // an earlier run's record does not tell of the files written now
+  std::filesystem::remove(in(folder, "run.json"), missing);
   write_pfm(in(folder, "disparity.pfm"), map.disparity);
   write_png(in(folder, "disparity.png"), disparity_picture(map));
   write_png(in(folder, "status.png"), status_picture(map));
@@ -54,7 +81,7 @@ void print_summary(const std::string& folder, const RunRecord& record) {
   std::cout << std::endl;
 }
 
-int judge(const RunRecord& record) {
+int judge(const DisparityMap& map, const RunRecord& record) {
   if (record.valid_share == 0) {
     spdlog::error(
         "the map is empty: no pixel has a disparity; see status.png for the reasons, and "
@@ -68,6 +95,7 @@ int judge(const RunRecord& record) {
         "for the reasons, and check the order of the images and the disparity range",
         percent(record.valid_share));
   }
+  warn_of_ends(map, record.disparities);
   return kOk;
 }
 

@@ -14,7 +14,8 @@ void write_results(const std::string& folder, const DisparityMap& map, const Run
 
 void print_summary(const std::string& folder, const RunRecord& record);
 
-/// Warns of a map with few disparities; the exit code: failed if there is none at all.
-int judge(const RunRecord& record);
+/// Warns of a map with few disparities, or with many at an end of the search range; the exit code:
+/// failed if there is none at all.
+int judge(const DisparityMap& map, const RunRecord& record);
 
 }  // namespace xgm::cli

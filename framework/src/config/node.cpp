@@ -13,11 +13,24 @@ Entry* Node::find(std::string_view key) {
 
 const Entry* Node::find(std::string_view key) const { return const_cast<Node*>(this)->find(key); }
 
+namespace {
+
+// A message is one line, and moves no cursor.
+std::string without_controls(std::string text) {
+  constexpr unsigned char kFirstPrintable = 32, kDelete = 127;
+  const auto is_control = [](char c) {
+    const auto code = static_cast<unsigned char>(c);
+    return code < kFirstPrintable || code == kDelete;
+  };
+  std::replace_if(text.begin(), text.end(), is_control, ' ');
+  return text;
+}
+
+}  // namespace
+
 std::string quote(std::string_view text) {
   constexpr std::size_t kLongest = 40;
-  std::string shown(text.substr(0, kLongest));
-  std::replace_if(
-      shown.begin(), shown.end(), [](char c) { return static_cast<unsigned char>(c) < 32; }, ' ');
+  const std::string shown = without_controls(std::string(text.substr(0, kLongest)));
   return "'" + shown + (text.size() > kLongest ? "..." : "") + "'";
 }
 
@@ -48,7 +61,7 @@ std::string to_string(const Diagnostic& diagnostic) {
   if (where.line > 0) text += ":" + std::to_string(where.line) + ":" + std::to_string(where.column);
   text += ": error: " + diagnostic.message;
   if (!diagnostic.remedy.empty()) text += "; " + diagnostic.remedy;
-  return text;
+  return without_controls(std::move(text));
 }
 
 }  // namespace xgm

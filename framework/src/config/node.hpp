@@ -47,6 +47,9 @@ std::string quote(std::string_view text);
 /// Adds a diagnostic.
 void report(Diagnostics& diagnostics, Location where, std::string message, std::string remedy);
 
+/// Far above any sensible pipeline; stops files that have no end.
+inline constexpr std::size_t kMostYamlBytes = std::size_t{1} << 24;
+
 /// Reads one YAML document. What is wrong with its syntax goes to `diagnostics`; nothing is
 /// returned then.
 std::optional<Node> read_yaml(const std::string& text, const std::string& name,

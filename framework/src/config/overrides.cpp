@@ -8,6 +8,8 @@
 namespace xgm {
 namespace {
 
+constexpr std::size_t kMostSteps = 100;  // as deep as a pipeline file may be
+
 struct Step {
   std::string key;
   std::vector<std::size_t> indices;
@@ -31,6 +33,7 @@ std::optional<std::vector<Step>> split(const std::string& path) {
       step.indices.push_back(*index);
       i = close + 1;
     }
+    if (steps.size() == kMostSteps) return std::nullopt;
     steps.push_back(std::move(step));
     begin = end + 1;
   }

@@ -15,7 +15,6 @@ namespace {
 // Far above any sensible pipeline; stops files made to exhaust the machine.
 constexpr std::size_t kMostNodes = 20000;
 constexpr std::size_t kDeepest = 100;
-constexpr std::size_t kMostBytes = std::size_t{1} << 24;
 
 // Thrown inside event handlers to leave the parser; becomes a diagnostic.
 struct Fault {
@@ -130,7 +129,7 @@ class Builder final : public YAML::EventHandler {
 };
 
 std::optional<Node> parse(const std::string& text, const std::string& name) {
-  if (text.size() > kMostBytes) {
+  if (text.size() > kMostYamlBytes) {
     throw Fault{{}, "larger than 16 MB", "is this a pipeline file?"};
   }
   if (text.find('\0') != std::string::npos) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <opencv2/imgcodecs.hpp>
+#include <sstream>
 
 #include "io/raster.hpp"
 #include "xgm/base/error.hpp"
@@ -50,9 +51,10 @@ Scaling scaling_of_floats(const Extremes& values) {
   if (values.low >= 0 && values.high <= 1) return {0, 255, "values of 0 to 1: 1 is white"};
   if (values.low >= 0 && values.high <= 255) return {0, 1, ""};
   const double span = values.high - values.low;
-  return {values.low, span > 0 ? 255 / span : 0,
-          "values of " + std::to_string(values.low) + " to " + std::to_string(values.high) +
-              " are mapped to grey levels 0 to 255"};
+  std::ostringstream note;
+  note << "values of " << values.low << " to " << values.high
+       << " are mapped to grey levels 0 to 255";
+  return {values.low, span > 0 ? 255 / span : 0, note.str()};
 }
 
 Scaling choose_scaling(const Raster& left, const Raster& right) {

@@ -67,8 +67,9 @@ void note_masked_share(const Image& image, const char* which, std::vector<std::s
 }  // namespace
 
 SceneFiles find_scene(const std::string& folder) {
-  if (!fs::exists(folder)) throw Error(folder + ": no such folder; check the path");
-  if (!fs::is_directory(folder)) {
+  std::error_code unusable;
+  if (!fs::exists(folder, unusable)) throw Error(folder + ": no such folder; check the path");
+  if (!fs::is_directory(folder, unusable)) {
     throw Error(folder + ": is a file; give the folder of the scene, or --left and --right");
   }
   SceneFiles files;

@@ -28,16 +28,17 @@ std::vector<std::string> shipped_pipelines(const std::string& folder) {
 }
 
 std::string find_pipeline(const std::string& name, const std::string& folder) {
-  if (fs::is_directory(name)) {
+  std::error_code unusable;  // a name too long or a link to itself is no file, and no exception
+  if (fs::is_directory(name, unusable)) {
     throw Error(name +
                 ": is a folder, not a pipeline file; the pipeline comes first, the scene "
                 "second");
   }
-  if (fs::exists(name)) return name;
+  if (fs::exists(name, unusable)) return name;
   if (!is_path(name) && !name.empty()) {
     for (const std::string& candidate : {name, name + kEnding}) {
       const fs::path file = fs::path(folder) / candidate;
-      if (file.extension() == kEnding && fs::is_regular_file(file)) return file.string();
+      if (file.extension() == kEnding && fs::is_regular_file(file, unusable)) return file.string();
     }
   }
   const std::vector<std::string> names = shipped_pipelines(folder);

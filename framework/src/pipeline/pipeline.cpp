@@ -2,10 +2,11 @@
 #include "xgm/pipeline.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <opencv2/core/utility.hpp>
-#include <sstream>
+#include <string>
 
 #include "config/binder.hpp"
 #include "config/overrides.hpp"
@@ -65,7 +66,8 @@ namespace {
 class OpenCvThreads {
  public:
   explicit OpenCvThreads(int threads) : before_(cv::getNumThreads()) {
-    if (threads > 0) cv::setNumThreads(threads);
+    // OpenCV's scheduler complains of more threads than there are processors.
+    if (threads > 0) cv::setNumThreads(std::min(threads, cv::getNumberOfCPUs()));
   }
   ~OpenCvThreads() { cv::setNumThreads(before_); }
   OpenCvThreads(const OpenCvThreads&) = delete;
@@ -167,14 +169,18 @@ LoadedPipeline load_pipeline_text(const std::string& text, const std::string& na
 LoadedPipeline load_pipeline(const std::string& file, const Registry& registry,
                              const std::vector<Override>& overrides) {
   std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  if (!stream) {
+  std::string text;
+  std::array<char, 1 << 16> piece;
+  while (stream && text.size() <= kMostYamlBytes) {  // what is named by mistake may have no end
+    stream.read(piece.data(), piece.size());
+    text.append(piece.data(), static_cast<std::size_t>(stream.gcount()));
+  }
+  if (!stream.is_open() || stream.bad()) {
     LoadedPipeline unread;
     report(unread.diagnostics, {file}, "cannot be read", "check the path and the permissions");
     return unread;
   }
-  return load_pipeline_text(text.str(), file, registry, overrides);
+  return load_pipeline_text(text, file, registry, overrides);
 }
 
 std::shared_ptr<const Stage> make_stage(std::string_view kind, const std::string& yaml,

@@ -40,7 +40,8 @@ std::optional<std::string> objection(const xgm_plugin_handshake& handshake) {
 // Opens the file and returns its handshake; throws Error with the reason. The library stays open
 // for the life of the process, because its code is in use from now on.
 const xgm_plugin_handshake& open(const std::string& file) {
-  if (!fs::exists(file)) throw Error("there is no such file");
+  std::error_code unusable;
+  if (!fs::exists(file, unusable)) throw Error("there is no such file");
   // A bare name would be looked up in the system's library path instead of the current folder.
   void* library = dlopen(fs::absolute(file).c_str(), RTLD_LAZY | RTLD_LOCAL);
   if (library == nullptr) throw Error("not a loadable shared object: " + std::string(dlerror()));
@@ -93,15 +94,17 @@ void Registry::load_path(const std::string& path_list) {
     const fs::path place = path_list.substr(begin, end - begin);
     begin = end + 1;
     if (place.empty()) continue;
-    if (!fs::is_directory(place)) {
+    std::error_code unusable;
+    if (!fs::is_directory(place, unusable)) {
       load(place.string());
       continue;
     }
     std::vector<std::string> files;
-    for (const auto& entry : fs::directory_iterator(place)) {
+    for (const auto& entry : fs::directory_iterator(place, unusable)) {
       if (entry.path().extension() == ".so") files.push_back(entry.path().string());
     }
     std::sort(files.begin(), files.end());
+    if (unusable) failures_.push_back({place.string(), "", unusable.message(), {}});
     for (const std::string& file : files) load(file);
   }
 }

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+// Mistakes of users, and what the program makes of them.
+#include <doctest/doctest.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+
+#include "apps/program.hpp"
+#include "support/support.hpp"
+#include "support/temporary_folder.hpp"
+#include "xgm/io/image_io.hpp"
+#include "xgm/io/outputs.hpp"
+
+using namespace xgm;
+using xgm::testing::contains;
+using xgm::testing::Outcome;
+using xgm::testing::TemporaryFolder;
+
+namespace {
+
+const std::string kSevenFaults = R"(xgm: 1
+matcher:
+  type: pyramid
+  search_range: {type: min_max, relaxation: four}
+  matcher:
+    type: left_right
+    consistency: {type: lrrl, treshold: 1}
+    matcher:
+      type: semi_global
+      cost: {type: census, window: 25}
+      penalty: {type: constant, p1: 30, p2: 20}
+      aggregation: {type: sgn, directions: 8}
+      selection: wta
+      filters: [zncc]
+      selection: wta
+)";
+
+/// A pair whose left and right images are at hand, `disparity` apart.
+struct Pair : TemporaryFolder {
+  explicit Pair(int disparity) {
+    const ImagePair pair = xgm::testing::shifted_pair({80, 24}, disparity, 5);
+    write_png(*this / "left.png", picture(pair.base));
+    write_png(*this / "right.png", picture(pair.match));
+  }
+  Outcome run(const std::string& arguments) const {
+    return xgm::testing::pipeline(path(), "run sgm8 --disparities 0:31 " + arguments);
+  }
+};
+
+const std::string kInOrder = "--left left.png --right right.png ";
+const std::string kSwapped = "--left right.png --right left.png ";
+
+Outcome call(const TemporaryFolder& folder, const std::string& arguments) {
+  return xgm::testing::pipeline(folder.path(), arguments, "timeout 60 ");
+}
+
+}  // namespace
+
+TEST_CASE("seven mistakes in a pipeline are seven located messages with remedies") {
+  const TemporaryFolder folder;
+  folder.write("p.yaml", kSevenFaults);
+  // Opening a pipe that nobody writes to would never end: exit 2 shows that no image is opened.
+  REQUIRE(::mkfifo((folder / "left.png").c_str(), 0600) == 0);
+  REQUIRE(::mkfifo((folder / "right.png").c_str(), 0600) == 0);
+  const Outcome outcome =
+      call(folder, "run p.yaml --left left.png --right right.png --disparities 0:7");
+  INFO(outcome.errors);
+  CHECK(outcome.exit_code == 2);
+  CHECK(std::count(outcome.errors.begin(), outcome.errors.end(), '\n') == 7);
+  CHECK(contains(outcome.errors, "p.yaml:4:45: error: 'relaxation' must be a whole number"));
+  CHECK(contains(outcome.errors, "p.yaml:7:31: error: lrrl has no parameter 'treshold'; did you"));
+  CHECK(contains(outcome.errors, "p.yaml:10:36: error: 'window' cannot be 25; give an odd"));
+  CHECK(contains(outcome.errors, "p.yaml:11:45: error: 'p2' of constant must not be below p1"));
+  CHECK(contains(outcome.errors, "p.yaml:12:27: error: there is no aggregation called 'sgn'; did"));
+  CHECK(contains(outcome.errors, "p.yaml:14:17: error: 'zncc' is a cost, not a filter; put a"));
+  CHECK(contains(outcome.errors, "p.yaml:15:7: error: key 'selection' appears twice; keep one"));
+  CHECK_FALSE(std::filesystem::exists(folder / "xgm_output"));
+  const Outcome checked = call(folder, "check p.yaml");
+  CHECK(checked.exit_code == 2);
+  CHECK(checked.errors == outcome.errors);
+}
+
+TEST_CASE("swapped images are hinted at, images in order are not") {
+  const Pair pair(9);
+  const Outcome in_order = pair.run(kInOrder);
+  CHECK(in_order.exit_code == 0);
+  CHECK_FALSE(contains(in_order.errors, "swapped"));
+  const Outcome swapped = pair.run(kSwapped);
+  CHECK(swapped.exit_code == 0);
+  CHECK(contains(swapped.errors, "are the images swapped?"));
+}
+
+TEST_CASE("a range that ends at the scene's disparity is hinted at") {
+  const Pair pair(31);
+  CHECK(contains(pair.run(kInOrder).errors, "lie at 31, where the search range 0 to 31 ends"));
+}
+
+TEST_CASE("a pattern of --dump that fits no stage is warned of") {
+  const Pair pair(9);
+  CHECK(contains(pair.run(kInOrder + "--dump nothing").errors, "--dump nothing: no stage"));
+  CHECK_FALSE(contains(pair.run(kInOrder + "--dump '*cost'").errors, "no stage"));
+}
+
+TEST_CASE("a pipeline file without end is read no further than 16 MB") {
+  const TemporaryFolder folder;
+  const Outcome outcome = call(folder, "check /dev/zero");
+  CHECK(outcome.exit_code == 2);
+  CHECK(contains(outcome.errors, "larger than 16 MB"));
+}
+
+TEST_CASE("names that no file can have are mistakes of usage") {
+  const TemporaryFolder folder;
+  const std::string endless(5000, 'a');
+  for (const std::string& arguments : {"check " + endless, "run sgm8 " + endless}) {
+    const Outcome outcome = call(folder, arguments);
+    CHECK(outcome.exit_code == 2);
+    CHECK_FALSE(contains(outcome.errors, "filesystem"));
+  }
+  CHECK(call(folder, "--version; XGM_PLUGIN_PATH=" + endless + " timeout 60 '" +
+                         XGM_PIPELINE_BINARY "' list")
+            .exit_code == 0);
+}
+
+TEST_CASE("an unknown subcommand is named") {
+  const TemporaryFolder folder;
+  const Outcome outcome = call(folder, "rnu sgm8");
+  CHECK(outcome.exit_code == 2);
+  CHECK(contains(outcome.errors, "there is no subcommand 'rnu'; choose run, check"));
+}
+
+TEST_CASE("output that cannot be written to stdout is a failure") {
+  const TemporaryFolder folder;
+  for (const char* arguments : {"list", "schema", "graph sgm8", "--help"}) {
+    CAPTURE(arguments);
+    CHECK(call(folder, std::string(arguments) + " > /dev/full").exit_code == 1);
+  }
+}
+
+TEST_CASE("an output folder that cannot be written to is found out before matching") {
+  const Pair pair(9);
+  const Outcome outcome = pair.run(kInOrder + "--output /proc");
+  CHECK(outcome.exit_code == 2);
+  CHECK(contains(outcome.errors, "--output /proc"));
+}
+
+TEST_CASE("a path of --set deeper than any pipeline ends at once, in one line") {
+  const TemporaryFolder folder;
+  std::string path = "a";
+  for (int i = 0; i < 20000; ++i) path += ".a";
+  const Outcome deep = call(folder, "check sgm8 --set " + path + "=1");
+  CHECK(deep.exit_code == 2);
+  CHECK(contains(deep.errors, "not a path"));
+  const Outcome broken = call(folder, "check sgm8 --set 'a\nb=1'");
+  CHECK(broken.exit_code == 2);
+  CHECK(std::count(broken.errors.begin(), broken.errors.end(), '\n') == 1);
+}
