@@ -19,12 +19,12 @@ class FakeCost final : public Cost {
     std::vector<double> weights{1, 2};
   };
   static void describe(Parameters& p, ParameterSet& set) {
-    set.add("window", p.window, "Side of the window").unit("px").range(3, 9).odd();
-    set.add("sigma", p.sigma, "Width of the bell").unit("grey levels").range(0.1, 100);
-    set.add("clamp", p.clamp, "Whether to clamp");
-    set.add_choice("shade", p.shade, "Which shade",
+    set.add("window", p.window, "Side of the window.").unit("px").range(3, 9).odd();
+    set.add("sigma", p.sigma, "Width of the bell.").unit("grey levels").range(0.1, 100);
+    set.add("clamp", p.clamp, "Whether to clamp.");
+    set.add_choice("shade", p.shade, "Which shade.",
                    {{"light", Shade::light}, {"dark", Shade::dark}});
-    set.add("weights", p.weights, "Two weights").range(0, 10);
+    set.add("weights", p.weights, "Two weights.").range(0, 10);
     set.rule({"weights"}, "must be two numbers", [&p] { return p.weights.size() == 2; });
   }
   explicit FakeCost(Parameters p) : parameters(std::move(p)) {}
@@ -44,8 +44,8 @@ class FakePenalty final : public Penalty {
     int p2 = 32;
   };
   static void describe(Parameters& p, ParameterSet& set) {
-    set.add("p1", p.p1, "Small step").unit("cost").range(0, 3000);
-    set.add("p2", p.p2, "Large step").unit("cost").range(0, 3000);
+    set.add("p1", p.p1, "Small step.").unit("cost").range(0, 3000);
+    set.add("p2", p.p2, "Large step.").unit("cost").range(0, 3000);
     set.rule({"p2", "p1"}, "must not be below p1", [&p] { return p.p2 >= p.p1; });
   }
   explicit FakePenalty(Parameters) {}
@@ -78,10 +78,10 @@ class FakeMatcher final : public Matcher {
     SlotList<Filter> filters;
   };
   static void describe(Parameters& p, ParameterSet& set) {
-    set.add("cost", p.cost, "The cost");
-    set.add("penalty", p.penalty, "The penalty").default_stage("fake_penalty");
-    set.add("matcher", p.matcher, "A matcher inside").optional();
-    set.add("filters", p.filters, "Filters");
+    set.add("cost", p.cost, "The cost.");
+    set.add("penalty", p.penalty, "The penalty.").default_stage("fake_penalty");
+    set.add("matcher", p.matcher, "A matcher inside.").optional();
+    set.add("filters", p.filters, "Filters.");
   }
   explicit FakeMatcher(Parameters p) : p_(std::move(p)) {}
   MatchResult run(const MatchRequest& request, const Context& context) const override {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/support.hpp"
 
-#include <omp.h>
-
 #include <cstdlib>
 #include <cstring>
 #include <iostream>
@@ -29,22 +27,6 @@ bool identical_cells(const Volume& a, const Volume& b) {
 const Registry& builtins() {
   static const Registry registry = Registry::with_builtins();
   return registry;
-}
-
-std::uint64_t Random::next() {
-  std::uint64_t z = (state_ += 0x9e3779b97f4a7c15u);
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-  return z ^ (z >> 31);
-}
-
-int Random::integer(int low, int high) {
-  const auto span = static_cast<std::uint64_t>(static_cast<std::int64_t>(high) - low + 1);
-  return low + static_cast<int>(next() % span);
-}
-
-double Random::real(double low, double high) {
-  return low + (high - low) * static_cast<double>(next() >> 11) * 0x1p-53;
 }
 
 Image random_image(cv::Size size, std::uint64_t seed, int channels) {
@@ -110,9 +92,6 @@ bool identical(const CostVolume& a, const CostVolume& b) {
 bool identical(const AggregatedVolume& a, const AggregatedVolume& b) {
   return a.fraction_bits == b.fraction_bits && identical_cells(a, b);
 }
-
-Threads::Threads(int count) : before_(omp_get_max_threads()) { omp_set_num_threads(count); }
-Threads::~Threads() { omp_set_num_threads(before_); }
 
 std::optional<std::filesystem::path> test_data(const std::string& what) {
   const char* folder = std::getenv("XGM_TEST_DATA");

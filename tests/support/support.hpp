@@ -12,6 +12,7 @@
 
 #include "xgm/pipeline.hpp"
 #include "xgm/plugin.hpp"
+#include "xgm/testing/random.hpp"
 
 namespace xgm::testing {
 
@@ -23,20 +24,6 @@ template <class Kind>
 std::shared_ptr<const Kind> stage(const std::string& yaml) {
   return make_stage<Kind>(yaml, builtins());
 }
-
-/// Reproducible random numbers (splitmix64); the same on every machine.
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
-  std::uint64_t next();
-  /// Whole number in [low, high].
-  int integer(int low, int high);
-  /// Number in [low, high).
-  double real(double low, double high);
-
- private:
-  std::uint64_t state_;
-};
 
 /// Noise in whole grey levels 0..255; `channels` planes.
 Image random_image(cv::Size size, std::uint64_t seed, int channels = 1);
@@ -52,18 +39,6 @@ bool identical(const DisparityMap& a, const DisparityMap& b);
 /// Bitwise equality of cells.
 bool identical(const CostVolume& a, const CostVolume& b);
 bool identical(const AggregatedVolume& a, const AggregatedVolume& b);
-
-/// Number of threads for parallel loops while it lives.
-class Threads {
- public:
-  explicit Threads(int count);
-  ~Threads();
-  Threads(const Threads&) = delete;
-  Threads& operator=(const Threads&) = delete;
-
- private:
-  int before_;
-};
 
 /// The folder of real data (environment variable XGM_TEST_DATA). Without it prints "SKIPPED:
 /// <what>", marks the run as skipped and returns nothing; the test case then returns.

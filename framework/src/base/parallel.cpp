@@ -15,6 +15,11 @@ namespace xgm {
 
 int thread_count() { return omp_get_max_threads(); }
 
+ThreadLimit::ThreadLimit(int threads) : before_(thread_count()) {
+  if (threads > 0) omp_set_num_threads(threads);
+}
+ThreadLimit::~ThreadLimit() { omp_set_num_threads(before_); }
+
 void parallel_for(int begin, int end, const std::function<void(int)>& body) {
   std::mutex mutex;
   std::exception_ptr error;

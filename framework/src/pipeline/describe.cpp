@@ -10,9 +10,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// As one would write it in a pipeline: names without quotes.
+std::string yaml_text(const Json& value) {
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
 std::string default_text(const Field& field) {
   if (is_stage_list(field)) return "none";
-  if (!is_stage(field)) return value_of(field).dump();
+  if (!is_stage(field)) return yaml_text(value_of(field));
   if (!field.default_stage_name.empty()) return field.default_stage_name;
   return field.is_optional ? "none" : "required";
 }
@@ -22,7 +27,7 @@ std::string type_text(const Field& field) {
   return expected(field) + (field.unit_name.empty() ? "" : ", " + field.unit_name);
 }
 
-std::string rule_text(const Rule& rule) { return rule.fields.front() + " " + rule.message; }
+std::string rule_text(const Rule& rule) { return rule.fields.front() + " " + rule.message + "."; }
 
 Json field_json(const Field& field) {
   Json json{{"name", field.name}, {"text", field.text}, {"expected", expected(field)}};
@@ -49,8 +54,8 @@ std::string describe_text(const PluginInfo& plugin) {
   if (!plugin.origin.empty()) text += "  Loaded from: " + plugin.origin + "\n";
   text += set.fields().empty() ? "\nNo parameters.\n" : "\nParameters:\n";
   for (const Field& field : set.fields()) {
-    text += "  " + field.name + " = " + default_text(field) + "\n      " + field.text +
-            ".\n      " + type_text(field) + "\n";
+    text += "  " + field.name + " = " + default_text(field) + "\n      " + field.text + "\n      " +
+            type_text(field) + "\n";
   }
   for (const Rule& rule : set.rules()) text += "  Rule: " + rule_text(rule) + "\n";
   return text;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "xgm/pipeline.hpp"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -34,15 +32,15 @@ struct PipelineParameters {
 static constexpr double kMostDisparity = 1e6;
 
 static void describe(PipelineParameters& p, ParameterSet& set) {
-  set.add("xgm", p.version, "Version of the file format").range(1, 1);
+  set.add("xgm", p.version, "Version of the file format.").range(1, 1);
   set.add("disparities", p.disparities,
           "Search range [first, last], both included, when neither the command line nor the scene "
-          "gives one")
+          "gives one.")
       .unit("px")
       .range(-kMostDisparity, kMostDisparity);
-  set.add("preprocess", p.preprocess, "What is done to the images before matching, in order");
-  set.add("matcher", p.matcher, "Finds the disparity map");
-  set.add("postprocess", p.postprocess, "What is done to the finished maps, in order");
+  set.add("preprocess", p.preprocess, "What is done to the images before matching, in order.");
+  set.add("matcher", p.matcher, "Finds the disparity map.");
+  set.add("postprocess", p.postprocess, "What is done to the finished maps, in order.");
   set.rule({"disparities"}, "must be two whole numbers, the first not above the second", [&p] {
     const auto& d = p.disparities;
     const auto whole = [](double v) { return v == std::floor(v); };
@@ -64,23 +62,19 @@ struct Pipeline::Impl {
 
 namespace {
 
-// The calling thread's settings for parallel loops, put back at the end of a run.
-class ThreadLimit {
+// OpenCV's own number of threads, put back at the end of a run.
+class OpenCvThreads {
  public:
-  explicit ThreadLimit(int threads) : omp_(omp_get_max_threads()), cv_(cv::getNumThreads()) {
-    if (threads <= 0) return;
-    omp_set_num_threads(threads);
-    cv::setNumThreads(std::min(threads, cv::getNumberOfCPUs()));  // TBB complains of more
+  explicit OpenCvThreads(int threads) : before_(cv::getNumThreads()) {
+    // OpenCV's scheduler complains of more threads than there are processors.
+    if (threads > 0) cv::setNumThreads(std::min(threads, cv::getNumberOfCPUs()));
   }
-  ~ThreadLimit() {
-    omp_set_num_threads(omp_);
-    cv::setNumThreads(cv_);
-  }
-  ThreadLimit(const ThreadLimit&) = delete;
-  ThreadLimit& operator=(const ThreadLimit&) = delete;
+  ~OpenCvThreads() { cv::setNumThreads(before_); }
+  OpenCvThreads(const OpenCvThreads&) = delete;
+  OpenCvThreads& operator=(const OpenCvThreads&) = delete;
 
  private:
-  int omp_, cv_;
+  int before_;
 };
 
 void check_request(const MatchRequest& request) {
@@ -106,6 +100,7 @@ MatchResult Pipeline::run(const MatchRequest& request, Observer& observer, int t
     throw Error("matcher", "needs one range for the whole image; give no range maps");
   }
   const ThreadLimit limit(threads);
+  const OpenCvThreads opencv_limit(threads);
   const Context context(observer);
   MatchRequest prepared = request;
   for (const auto& stage : p.preprocess) {

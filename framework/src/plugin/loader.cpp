@@ -51,7 +51,11 @@ const xgm_plugin_handshake& open(const std::string& file) {
     dlclose(library);
     throw Error("has no symbol 'xgm_plugin'; a plugin's source holds XGM_PLUGIN(registry) {...}");
   }
-  return *entry();
+  const xgm_plugin_handshake* handshake = entry();
+  if (handshake == nullptr || handshake->build_tag == nullptr || handshake->name == nullptr) {
+    throw Error("its symbol 'xgm_plugin' gives no handshake; use XGM_PLUGIN(registry) {...}");
+  }
+  return *handshake;
 }
 
 }  // namespace

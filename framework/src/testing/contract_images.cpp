@@ -103,7 +103,7 @@ void check_penalty_on(Report& report, const Penalty& stage, const ImagePair& pai
   }
   const Classes expected = all_classes(*field, pair.size());
   for (const int count : {1, 2, 3, 8}) {
-    const Threads threads(count);
+    const ThreadLimit threads(count);
     report.expect(all_classes(*stage.run(pair, Context{}), pair.size()) == expected,
                   "the result depends on the number of threads");
   }

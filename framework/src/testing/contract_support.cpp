@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "testing/contract_support.hpp"
 
-#include <omp.h>
-
 #include <cmath>
 
-#include "testing/random.hpp"
+#include "xgm/testing/random.hpp"
 #include "xgm/testing/synthetic.hpp"
 
 namespace xgm::testing::detail {
@@ -177,8 +175,5 @@ void expect_sound(Report& report, const DisparityMap& map, cv::Size size) {
     }
   }
 }
-
-Threads::Threads(int count) : before_(omp_get_max_threads()) { omp_set_num_threads(count); }
-Threads::~Threads() { omp_set_num_threads(before_); }
 
 }  // namespace xgm::testing::detail

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "xgm/base/parallel.hpp"
 #include "xgm/stage/context.hpp"
 #include "xgm/testing/contract.hpp"
 
@@ -62,28 +63,16 @@ Bytes bytes_of(const AggregatedVolume& volume);
 /// Whether the map has this size, and a finite disparity exactly where its status says so.
 void expect_sound(Report& report, const DisparityMap& map, cv::Size size);
 
-/// Sets thread_count() for as long as it lives.
-class Threads {
- public:
-  explicit Threads(int count);
-  ~Threads();
-  Threads(const Threads&) = delete;
-  Threads& operator=(const Threads&) = delete;
-
- private:
-  int before_;
-};
-
 /// What `run` returns, having seen that it does not depend on the number of threads.
 template <class Run>
 auto run_with_threads(Report& report, const Run& run) {
   auto result = [&] {
-    const Threads one(1);
+    const ThreadLimit one(1);
     return run();
   }();
   const Bytes expected = bytes_of(result);
   for (const int count : {2, 3, 8}) {
-    const Threads threads(count);
+    const ThreadLimit threads(count);
     report.expect(bytes_of(run()) == expected, "the result depends on the number of threads");
   }
   return result;

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "testing/random.hpp"
+#include "xgm/testing/random.hpp"
 
 namespace xgm::testing::detail {
 namespace {

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "testing/random.hpp"
 #include "testing/surface.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/base/parallel.hpp"
+#include "xgm/testing/random.hpp"
 
 namespace xgm::testing {
 
@@ -44,7 +44,7 @@ Surface background(Random& random, const SceneOptions& options) {
   const double room = 0.2 * (high - low), margin = std::max(std::abs(low), std::abs(high));
   plane.slope_x = random_slope(random, room / 2, plane.centre.x + margin);
   plane.slope_y = random_slope(random, room / 2, plane.centre.y * 1.2);
-  surface.texture = random.bits();
+  surface.texture = random.next();
   surface.level = random_colour(random, options.colour);
   return surface;
 }
@@ -58,13 +58,13 @@ Surface object(Random& random, const SceneOptions& options) {
   surface.half = {random.real(0.06, 0.18) * options.size.width,
                   random.real(0.08, 0.24) * options.size.height};
   surface.outline =
-      random.whole(0, 1) == 0 ? Surface::Outline::rectangle : Surface::Outline::ellipse;
+      random.integer(0, 1) == 0 ? Surface::Outline::rectangle : Surface::Outline::ellipse;
   plane.d = low + random.real(0.45, 0.88) * (high - low);
-  const bool slanted = random.whole(0, 2) > 0;
+  const bool slanted = random.integer(0, 2) > 0;
   const double room = slanted ? 0.05 * (high - low) : 0;
   plane.slope_x = random_slope(random, room, surface.half.x);
   plane.slope_y = random_slope(random, room, surface.half.y);
-  surface.texture = random.bits();
+  surface.texture = random.next();
   surface.level = random_colour(random, options.colour);
   return surface;
 }

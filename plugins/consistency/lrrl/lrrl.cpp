@@ -19,8 +19,9 @@ class Lrrl final : public xgm::Consistency {
   };
   static void describe(Parameters& p, xgm::ParameterSet& set) {
     set.add("threshold", p.threshold,
-            "Largest difference between a disparity and that of the pixel it points at; a failing "
-            "pixel is mismatched if some disparity of the other view points at it, else occluded.")
+            "Largest difference between a disparity and that of the pixel it points at. A pixel "
+            "that fails is mismatched if some disparity of the other view points at it, else "
+            "occluded.")
         .unit("px")
         .range(0, 1000);
   }

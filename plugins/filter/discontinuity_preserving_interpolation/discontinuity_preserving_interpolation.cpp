@@ -47,7 +47,7 @@ class Interpolation final : public xgm::Filter {
     set.add_choice(
         "background", p.background,
         "Which disparities of the left map are the far ones: the lowest, or the highest where the "
-        "images were given the other way round. (The right map is the other way round, always.)",
+        "images were given the other way round. In the right map it is the reverse, always.",
         {{"lowest", Background::lowest}, {"highest", Background::highest}});
     set.add("spread_occlusions", p.spread_occlusions,
             "Whether areas of mismatched pixels that touch an occluded pixel are filled like "

@@ -58,8 +58,9 @@ class Median final : public xgm::Filter {
   };
   static void describe(Parameters& p, xgm::ParameterSet& set) {
     set.add("window", p.window,
-            "Side of the square window, cut off at the image border; only pixels with a disparity "
-            "count and change, and of an even number the lower middle one is taken.")
+            "Side of the square window, cut off at the image border. Only pixels that have a "
+            "disparity count and change; of an even number the lower of the two middle ones is "
+            "taken.")
         .unit("px")
         .range(3, kMaxWindow)
         .odd();

@@ -17,7 +17,9 @@ class LeftRight final : public xgm::Matcher {
     set.add("matcher", p.matcher, "Matches one view; is run once for each of the two.");
     set.add("consistency", p.consistency, "Decides which disparities of the two maps agree.")
         .default_stage("lrrl");
-    set.rule({"matcher"}, "already matches both views; remove one of the two left_right",
+    set.rule({"matcher"},
+             "must be one that matches a single view; left_right inside left_right would match "
+             "four times",
              [&p] { return !p.matcher->gives_reverse_map(); });
   }
 

@@ -90,8 +90,9 @@ DisparityRange halve(const DisparityRange& fine) {
 }
 
 MatchRequest halve(const MatchRequest& fine) {
-  MatchRequest coarse{
-      {halve(fine.pair.base), halve(fine.pair.match)}, halve(fine.range), std::nullopt};
+  MatchRequest coarse{{halve(fine.pair.base), halve(fine.pair.match), fine.pair.is_reverse},
+                      halve(fine.range),
+                      std::nullopt};
   if (fine.reverse_range) coarse.reverse_range = halve(*fine.reverse_range);
   return coarse;
 }

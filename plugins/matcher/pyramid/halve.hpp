@@ -13,7 +13,7 @@ Image halve(const Image& fine);
 
 /// Contains half of every disparity that a covered pixel searches: from the smallest begin to the
 /// largest last disparity, halved and rounded outwards. Pixels with an empty interval have no say;
-/// where all are empty the coarse one is. Repeated, this rounds as the paper's Table 2 does:
+/// where all are empty the coarse one is. Repeated, this rounds as the paper's Table 1 does:
 /// floor(d_min / s) to ceil(d_max / s).
 DisparityRange halve(const DisparityRange& fine);
 

@@ -11,7 +11,7 @@ namespace {
 
 /// The paper's Algorithms 3 and 4 around any matcher that takes a range per pixel: with
 /// left_right(semi_global) inside, tSGM and tMGM. The coarsest level searches all of the request's
-/// range (Table 2); each finer one what the search_range stage makes of the checked map before it.
+/// range (Table 1); each finer one what the search_range stage makes of the checked map before it.
 /// One thing differs: the paper relaxes the user's interval itself by epsilon, which would yield
 /// disparities that nobody asked for. Here no level leaves the interval, rounded to its scale.
 class Pyramid final : public xgm::Matcher {
@@ -34,7 +34,8 @@ class Pyramid final : public xgm::Matcher {
     set.rule({"scale"}, "must be a power of two: 1, 2, 4, 8, 16, 32 or 64",
              [&p] { return std::has_single_bit(static_cast<unsigned>(p.scale)); });
     set.rule({"matcher", "scale"},
-             "needs one range for the whole image and cannot work in a pyramid",
+             "must take a range per pixel; one that needs one range for the whole image cannot "
+             "work here",
              [&p] { return p.scale == 1 || p.matcher->accepts_range_maps(); });
   }
 

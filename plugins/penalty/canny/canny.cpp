@@ -59,11 +59,11 @@ class Canny final : public xgm::Penalty {
   static void describe(Parameters& p, xgm::ParameterSet& set) {
     xgm::penalty::describe(p.weights, set);
     xgm::penalty::describe("p2_edge", p.p2_edge, "Penalty P2 at pixels on an edge.", set);
-    set.add("low", p.low, "Lower threshold of the edge detector: edges go on while above it.")
-        .unit("grey levels x 4")
+    set.add("low", p.low,
+            "Lower threshold of the edge detector: edges go on while the 3x3 Sobel gradient (4 at "
+            "a straight step of one grey level) is above it.")
         .range(0, 2040);
     set.add("high", p.high, "Upper threshold of the edge detector: edges begin above it.")
-        .unit("grey levels x 4")
         .range(0, 2040);
     set.rule({"p2_edge", "p1"}, "must not be below p1", [&p] { return p.p2_edge >= p.weights.p1; });
     set.rule({"p2", "p2_edge"}, "must not be below p2_edge",

@@ -108,7 +108,7 @@ class RansacDeskew final : public xgm::Preprocess {
     context.info("rows of the match image are moved by " + pixels(shift) + " (median; " +
                  std::to_string(agreeing.size()) + " of " + std::to_string(matches.size()) +
                  " matches agree)");
-    return {pair.base, warp_rows(pair.match, model)};
+    return {pair.base, warp_rows(pair.match, model), pair.is_reverse};
   }
 
  private:

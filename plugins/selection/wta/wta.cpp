@@ -42,9 +42,9 @@ class Wta final : public xgm::Selection {
   };
   static void describe(Parameters& p, xgm::ParameterSet& set) {
     set.add("uniqueness", p.uniqueness,
-            "A pixel is ambiguous unless every disparity not next to the best exceeds the lowest "
-            "sum by more than this share of the pixel's contrast (mean of its sums less the "
-            "lowest, so that a constant added to all of them changes nothing); 0 is off.")
+            "How clearly the best disparity must win, 0 for not at all: the sums of all "
+            "disparities not next to it must exceed its own by more than this share of the "
+            "pixel's contrast (mean sum less lowest sum), else the pixel becomes ambiguous.")
         .unit("%")
         .range(0, 100);
   }

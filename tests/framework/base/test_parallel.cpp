@@ -9,7 +9,7 @@ using namespace xgm;
 
 TEST_CASE("parallel_for visits each index once and reports the first failure") {
   for (const int threads : {1, 2, 3, 8}) {
-    const xgm::testing::Threads guard(threads);
+    const xgm::ThreadLimit guard(threads);
     std::vector<std::atomic<int>> visits(1000);
     parallel_for(0, 1000, [&](int i) { ++visits[static_cast<std::size_t>(i)]; });
     for (const auto& count : visits) REQUIRE(count == 1);
@@ -24,7 +24,7 @@ TEST_CASE("parallel_for visits each index once and reports the first failure") {
 
 TEST_CASE("wavefront keeps every line behind the one above by the lag, and covers all pixels") {
   for (const int threads : {1, 2, 3, 8}) {
-    const xgm::testing::Threads guard(threads);
+    const xgm::ThreadLimit guard(threads);
     for (const cv::Size size :
          {cv::Size(1, 1), cv::Size(1000, 37), cv::Size(3, 100), cv::Size(64, 2)}) {
       constexpr int kLag = 5;

@@ -15,14 +15,14 @@ TEST_CASE("describe shows every parameter with default, range, unit and rules") 
   const json cost = json::parse(describe_json(*registry.find("cost", "fake_cost")));
   REQUIRE(cost["parameters"].size() == 5);
   CHECK(cost["parameters"][0] == json{{"name", "window"},
-                                      {"text", "Side of the window"},
+                                      {"text", "Side of the window."},
                                       {"expected", "an odd whole number from 3 to 9"},
                                       {"unit", "px"},
                                       {"range", {3, 9}},
                                       {"odd", true},
                                       {"default", 5}});
   CHECK(cost["parameters"][3]["choices"] == json{"light", "dark"});
-  CHECK(cost["rules"] == json{"weights must be two numbers"});
+  CHECK(cost["rules"] == json{"weights must be two numbers."});
   const std::string text = describe_text(*registry.find("matcher", "fake_matcher"));
   for (const std::string part :
        {"cost = required", "penalty = fake_penalty", "matcher = none", "filters = none"}) {

@@ -163,7 +163,7 @@ TEST_CASE("contract checks: a cost that keeps the contract passes, each planted 
 TEST_CASE("contract checks: a filter that keeps the contract passes, each planted fault is told") {
   CHECK(check_filter(FaultyFilter(MapFault::none)) == Violations{});
   CHECK(tells(check_filter(FaultyFilter(MapFault::status)), "disagree"));
-  CHECK(tells(check_filter(FaultyFilter(MapFault::lost)), "a pixel is lost"));
+  CHECK(tells(check_filter(FaultyFilter(MapFault::lost)), "a missing pixel takes another"));
   CHECK(tells(check_filter(FaultyFilter(MapFault::unmasked)), "other pixels are masked"));
   CHECK(tells(check_filter(FaultyFilter(MapFault::size)), "image's size"));
 }

@@ -172,7 +172,7 @@ TEST_CASE("synthetic: the same options give the same bytes, for any number of th
   options.shift = {0.003, 0.002, -0.4};
   // Golden values: what this test prints when the generator is changed on purpose.
   for (const int count : {1, 3}) {
-    const Threads threads(count);
+    const xgm::ThreadLimit threads(count);
     const SyntheticScene scene = make_scene(options);
     CHECK(fnv(scene.pair.base.planes[2]) == 7295878729626143590u);
     CHECK(fnv(scene.pair.match.planes[1]) == 7620033636260138947u);

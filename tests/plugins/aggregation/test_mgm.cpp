@@ -185,10 +185,10 @@ TEST_CASE("mgm on a ragged volume with equal ranges gives what the dense one giv
 TEST_CASE("mgm does not depend on the number of threads") {
   const CostVolume costs = random_costs(ragged_shape({211, 137}, {-5, 25}, 8), 24, 8);
   const RandomPenalties penalties(2, 2, 96, 8);
-  const Threads one(1);
+  const xgm::ThreadLimit one(1);
   const AggregatedVolume expected = run_mgm(costs, penalties, 16);
   for (const int count : {2, 3, 8}) {
-    const Threads threads(count);
+    const xgm::ThreadLimit threads(count);
     CHECK(identical(run_mgm(costs, penalties, 16), expected));
   }
 }

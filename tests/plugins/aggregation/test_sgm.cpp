@@ -160,10 +160,10 @@ TEST_CASE("a ragged volume with equal ranges gives what the dense one gives") {
 TEST_CASE("sgm does not depend on the number of threads") {
   const CostVolume costs = random_costs(ragged_shape({211, 37}, {-5, 25}, 8), 24, 8);
   const RandomPenalties penalties(2, 2, 96, 8);
-  const Threads one(1);
+  const xgm::ThreadLimit one(1);
   const AggregatedVolume expected = run_sgm(costs, penalties, 16);
   for (const int count : {2, 3, 8}) {
-    const Threads threads(count);
+    const xgm::ThreadLimit threads(count);
     CHECK(identical(run_sgm(costs, penalties, 16), expected));
   }
 }
@@ -205,7 +205,7 @@ TEST_CASE("sgm tells its progress up to the end") {
     std::vector<double> shares;
   } watcher;
   const CostVolume costs = random_costs(dense_shape({64, 48}, {0, 16}), 24, 1);
-  const Threads threads(2);
+  const xgm::ThreadLimit threads(2);
   testing::stage<Aggregation>("sgm")->run(costs, ConstantPenalties(5, 30), Context(watcher));
   CHECK(watcher.shares.size() >= 10);
   CHECK(std::ranges::is_sorted(watcher.shares));

@@ -146,7 +146,7 @@ inline void check_threads(const std::string& yaml) {
   const auto shape =
       std::make_shared<const VolumeShape>(random_range(pair.size(), {-8, 11}, 5), pair.base.valid);
   const auto run = [&](int count) {
-    const Threads threads(count);
+    const xgm::ThreadLimit threads(count);
     return cost->run(pair, shape, Context{});
   };
   const CostVolume one = run(1);

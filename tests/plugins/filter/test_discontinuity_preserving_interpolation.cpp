@@ -161,7 +161,7 @@ TEST_CASE("interpolation gives the same map on any number of threads") {
   const DisparityMap map = xgm::testing::random_map({97, 61}, {-12, 7, 0.25, 0.5}, 5);
   const DisparityMap one = run({16, "lowest", true}, map);
   for (const int count : {1, 2, 3, 8}) {
-    const xgm::testing::Threads threads(count);
+    const xgm::ThreadLimit threads(count);
     CHECK(identical(run({16, "lowest", true}, map), one));
   }
 }

@@ -115,7 +115,7 @@ TEST_CASE("a pyramid does not depend on the number of threads") {
     const MatchRequest request{masked_pair(size), random_range(size, {-10, 30}, 3), {}};
     std::optional<MatchResult> first;
     for (const int count : {1, 2, 3, 8}) {
-      const Threads threads(count);
+      const xgm::ThreadLimit threads(count);
       const MatchResult result = matcher->run(request, Context{});
       if (!first) first = result;
       CHECK(identical(result, *first));

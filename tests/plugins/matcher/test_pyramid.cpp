@@ -11,7 +11,7 @@ cv::Size scaled(cv::Size size, int scale) {
   return {(size.width + scale - 1) / scale, (size.height + scale - 1) / scale};
 }
 
-/// Table 2 for one coarse pixel: the limits of all fine pixels below it, divided by the scale.
+/// Table 1 for one coarse pixel: the limits of all fine pixels below it, divided by the scale.
 Interval naive_limits(const DisparityRange& fine, int scale, int coarse_y, int coarse_x) {
   double low = 1e9;
   double high = -1e9;
@@ -101,7 +101,7 @@ TEST_CASE("levels are repeated 2x2 means in which masked pixels do not vote") {
   }
 }
 
-TEST_CASE("the coarsest level searches the limits of Table 2") {
+TEST_CASE("the coarsest level searches the limits of Table 1") {
   const cv::Size size(37, 21);
   for (const Interval hull : {Interval{-29, 18}, {0, 70}, {3, 4}, {-8, -7}, {7, 9}}) {
     for (const int scale : {2, 4, 8, 64}) {

@@ -195,7 +195,7 @@ TEST_CASE("ransac_deskew: the result depends neither on threads nor on the run")
   Listener listener;
   const ImagePair first = deskewed(pair, listener);
   for (const int count : {1, 2, 3, 8}) {
-    const Threads threads(count);
+    const xgm::ThreadLimit threads(count);
     CHECK(same(deskewed(pair, listener).match, first.match));
   }
 }

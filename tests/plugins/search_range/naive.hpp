@@ -125,7 +125,7 @@ inline bool same_for_any_thread_count(const std::string& yaml) {
   const auto limits = random_range({79, 66}, {-45, 30}, 8);
   std::optional<DisparityRange> first;
   for (const int count : {1, 2, 3, 8}) {
-    const Threads threads(count);
+    const xgm::ThreadLimit threads(count);
     const DisparityRange range = plugin->run(coarse, limits, Context{});
     if (!first) first = range;
     for (int y = 0; y < 66; ++y) {

@@ -11,6 +11,18 @@ namespace xgm {
 /// Number of threads that the loops below use. Set per run by the pipeline.
 XGM_API int thread_count();
 
+/// Sets thread_count() of the calling thread for as long as it lives; 0 leaves it as it is.
+class XGM_API ThreadLimit {
+ public:
+  explicit ThreadLimit(int threads);
+  ~ThreadLimit();
+  ThreadLimit(const ThreadLimit&) = delete;
+  ThreadLimit& operator=(const ThreadLimit&) = delete;
+
+ private:
+  int before_;
+};
+
 /// Calls body(i) once for every i in [begin, end), in any order, on thread_count() threads.
 /// The exception of the smallest failing i is rethrown after all threads have stopped.
 XGM_API void parallel_for(int begin, int end, const std::function<void(int)>& body);

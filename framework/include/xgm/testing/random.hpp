@@ -5,7 +5,9 @@
 
 #include <cstdint>
 
-namespace xgm::testing::detail {
+namespace xgm::testing {
+
+namespace detail {
 
 /// Steele, Lea, Flood: Fast splittable pseudorandom number generators (OOPSLA 2014), "SplitMix64".
 constexpr std::uint64_t mix(std::uint64_t z) {
@@ -20,25 +22,30 @@ constexpr double unit(std::uint64_t bits) {
   return static_cast<double>(bits >> 11) * (1.0 / 9007199254740992.0);
 }
 
+}  // namespace detail
+
+/// Reproducible random numbers.
 class Random {
  public:
   explicit constexpr Random(std::uint64_t seed) : state_(seed) {}
 
-  constexpr std::uint64_t bits() {
-    const std::uint64_t result = mix(state_);
+  constexpr std::uint64_t next() {
+    const std::uint64_t result = detail::mix(state_);
     state_ += 0x9e3779b97f4a7c15ULL;
     return result;
   }
   /// In [low, high).
-  constexpr double real(double low, double high) { return low + (high - low) * unit(bits()); }
+  constexpr double real(double low, double high) {
+    return low + (high - low) * detail::unit(next());
+  }
   /// In [low, high], both ends included; high - low below 2^32.
-  constexpr int whole(int low, int high) {
+  constexpr int integer(int low, int high) {
     const auto count = static_cast<std::uint64_t>(std::int64_t{high} - low + 1);
-    return static_cast<int>(low + static_cast<std::int64_t>(bits() % count));
+    return static_cast<int>(low + static_cast<std::int64_t>(next() % count));
   }
 
  private:
   std::uint64_t state_;
 };
 
-}  // namespace xgm::testing::detail
+}  // namespace xgm::testing

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every code block of README, CONTRIBUTING and docs/ is true. What stands after the fence's
+// language says how:
+//   yaml FILE.yaml         a sound pipeline; later blocks of the same page find it under that name
+//   yaml faulty FILE.yaml  the same, but it is for later blocks to say what is wrong
+//   yaml KIND              one stage of that kind
+//   cpp FILE, cmake FILE   taken from tests/out_of_tree/project/FILE, which is built as a project
+//   sh [exit=N]            calls of `pipeline`, run in a folder with images, exit code N (0)
+//   text                   after sh: all that the last call printed
+//   ... unchecked          anything else
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <regex>
+#include <sstream>
+
+#include "apps/program.hpp"
+#include "docs/blocks.hpp"
+#include "support/support.hpp"
+#include "support/temporary_folder.hpp"
+#include "xgm/io/image_io.hpp"
+#include "xgm/io/outputs.hpp"
+#include "xgm/io/pfm.hpp"
+#include "xgm/testing/synthetic.hpp"
+
+using namespace xgm;
+using namespace xgm::testing;
+
+namespace {
+
+// What the guides call "your own images": a small pair with masks, truth and range maps, once as
+// files and once as a scene folder; and in build/ the plugins of the example project.
+void write_inputs(const TemporaryFolder& folder) {
+  const SyntheticScene scene = make_scene({});
+  const cv::Mat1b everywhere(scene.pair.size(), 255);
+  std::filesystem::create_directories(folder / "scene");
+  for (const std::string name : {"left.png", "scene/im0.png"}) {
+    write_png(folder / name, picture(scene.pair.base));
+  }
+  for (const std::string name : {"right.png", "scene/im1.png"}) {
+    write_png(folder / name, picture(scene.pair.match));
+  }
+  for (const std::string name : {"left_mask.png", "right_mask.png"}) {
+    write_png(folder / name, everywhere);
+  }
+  folder.write("scene/calib.txt", "ndisp=32\n");
+  write_pfm(folder / "truth.pfm", scene.truth);
+  write_pfm(folder / "min.pfm", cv::Mat1f(scene.truth - 4));
+  write_pfm(folder / "max.pfm", cv::Mat1f(scene.truth + 4));
+  std::filesystem::create_directory_symlink(XGM_EXAMPLE_PLUGINS, folder / "build");
+}
+
+Registry registry_with_examples() {
+  Registry registry = Registry::with_builtins();
+  registry.load_path(XGM_EXAMPLE_PLUGINS);
+  return registry;
+}
+
+// The arguments of a call of `pipeline`, wherever the page has it; nothing if it is another
+// program.
+std::optional<std::string> arguments_of(const std::string& command) {
+  static const std::regex call(R"((?:\S*/)?pipeline (.*))");
+  std::smatch match;
+  if (!std::regex_match(command, match, call)) return std::nullopt;
+  return match[1];
+}
+
+class Page {
+ public:
+  explicit Page(std::string file) : file_(std::move(file)) { write_inputs(folder_); }
+
+  void check() {
+    for (const Block& block : code_blocks(file_)) {
+      CAPTURE(block.place);
+      check(block);
+      after_shell_ = block.language == "sh" && !says(block, "unchecked");
+    }
+  }
+
+ private:
+  static bool says(const Block& block, const std::string& word) {
+    return std::find(block.details.begin(), block.details.end(), word) != block.details.end();
+  }
+
+  void check(const Block& block) {
+    if (says(block, "unchecked")) return;
+    const std::string detail = block.details.empty() ? "" : block.details.back();
+    if (block.language == "yaml" && detail.ends_with(".yaml")) {
+      folder_.write(detail, block.text);
+      if (!says(block, "faulty")) check_pipeline(block.text, detail);
+    } else if (block.language == "yaml" && !detail.empty()) {
+      CHECK_NOTHROW(make_stage(detail, block.text, registry_));
+    } else if ((block.language == "cpp" || block.language == "cmake") && !detail.empty()) {
+      CHECK(contains(source_text("tests/out_of_tree/project/" + detail), block.text));
+    } else if (block.language == "sh") {
+      run(block, detail.starts_with("exit=") ? std::stoi(detail.substr(5)) : 0);
+    } else if (block.language == "text" && after_shell_) {
+      CHECK(printed_ == block.text);
+    } else {
+      FAIL_CHECK("nothing says how to check this block; see the top of test_guides.cpp");
+    }
+  }
+
+  void check_pipeline(const std::string& text, const std::string& name) {
+    const LoadedPipeline loaded = load_pipeline_text(text, name, registry_);
+    for (const Diagnostic& diagnostic : loaded.diagnostics) FAIL_CHECK(to_string(diagnostic));
+  }
+
+  void run(const Block& block, int exit_code) {
+    static const std::regex continuation(R"(\\\n\s*)");
+    std::istringstream lines(std::regex_replace(block.text, continuation, ""));
+    for (std::string line; std::getline(lines, line);) {
+      CAPTURE(line);
+      const auto arguments = arguments_of(line);
+      if (!arguments) {
+        FAIL_CHECK("not a call of pipeline");
+        continue;
+      }
+      const Outcome outcome = pipeline(folder_.path(), *arguments);
+      CAPTURE(outcome.errors);
+      CHECK(outcome.exit_code == exit_code);
+      printed_ = outcome.output + outcome.errors;
+    }
+  }
+
+  std::string file_;
+  TemporaryFolder folder_;
+  Registry registry_ = registry_with_examples();
+  std::string printed_;
+  bool after_shell_ = false;
+};
+
+}  // namespace
+
+TEST_CASE("every code block of the documents is true") {
+  for (const std::string& file : documents()) {
+    SUBCASE(file.c_str()) { Page(file).check(); }
+  }
+}
+
+TEST_CASE("every link of the documents to a file of the tree leads somewhere") {
+  static const std::regex link(R"(\]\(([^)#:\s]+)(#[^)]*)?\))");
+  for (const std::string& file : documents()) {
+    const std::string text = source_text(file);
+    const std::filesystem::path folder =
+        (std::filesystem::path(XGM_SOURCE_DIR) / file).parent_path();
+    for (std::sregex_iterator i(text.begin(), text.end(), link), end; i != end; ++i) {
+      CHECK_MESSAGE(std::filesystem::exists(folder / (*i)[1].str()), file, " -> ", (*i)[1].str());
+    }
+  }
+}
+
+TEST_CASE("README's table and the shipped pipelines are the same") {
+  const std::string readme = source_text("README.md");
+  const auto folder = std::filesystem::path(XGM_SOURCE_DIR) / "pipelines";
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string row = "| `" + entry.path().stem().string() + "` |";
+    CHECK_MESSAGE(contains(readme, row), row);
+  }
+}
+
+TEST_CASE("every plugin's texts are whole sentences") {
+  for (const PluginInfo* plugin : builtins().plugins()) {
+    CHECK_MESSAGE(plugin->summary.ends_with('.'), plugin->name);
+    const auto prototype = plugin->prototype();
+    for (const Field& field : prototype->parameters().fields()) {
+      CHECK_MESSAGE(field.text.ends_with('.'), plugin->name, ": ", field.name);
+      CHECK_FALSE_MESSAGE(field.text.ends_with(".."), plugin->name, ": ", field.name);
+    }
+  }
+}

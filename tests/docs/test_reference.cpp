@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// The pages in docs/reference are what the plugins say of themselves. `make reference` writes them.
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "docs/blocks.hpp"
+#include "support/support.hpp"
+#include "xgm/io/file.hpp"
+
+using namespace xgm;
+using namespace xgm::testing;
+
+namespace {
+
+const std::filesystem::path kFolder = std::filesystem::path(XGM_SOURCE_DIR) / "docs/reference";
+
+constexpr const char* kNote = "<!-- Generated from the plugins by `make reference`. -->\n";
+
+std::string kind_of(const Field& field) {
+  if (const auto* slot = std::get_if<SlotBase*>(&field.target)) {
+    return std::string((*slot)->kind());
+  }
+  if (const auto* slots = std::get_if<SlotListBase*>(&field.target)) {
+    return std::string((*slots)->kind());
+  }
+  return {};
+}
+
+// Where in a pipeline a stage of this kind may stand.
+std::string places(const std::string& kind) {
+  std::string text;
+  const auto add = [&](const std::string& place) { text += (text.empty() ? "" : ", ") + place; };
+  if (kind == "preprocess") add("`preprocess` of the file");
+  if (kind == "matcher") add("`matcher` of the file");
+  if (kind == "filter") add("`postprocess` of the file");
+  for (const PluginInfo* plugin : builtins().plugins()) {
+    const auto prototype = plugin->prototype();
+    for (const Field& field : prototype->parameters().fields()) {
+      if (kind_of(field) == kind) add("`" + field.name + "` of `" + plugin->name + "`");
+    }
+  }
+  return text;
+}
+
+std::string page(const std::string& kind, const std::string& text) {
+  const std::string article = kind.front() == 'a' ? "An " : "A ";
+  std::string page = kNote + ("\n# Kind `" + kind + "`\n\n");
+  page += article + kind + " stage " + text + ".\n\n";
+  page += "In a pipeline: " + places(kind) + ".\n\n";
+  page += "In C++: [`xgm/stage/" + kind + ".hpp`](../../framework/include/xgm/stage/" + kind +
+          ".hpp).\n\n";
+  for (const PluginInfo* plugin : builtins().plugins(kind)) page += describe_markdown(*plugin);
+  page.pop_back();  // a page ends with one line end
+  return page;
+}
+
+std::string index() {
+  std::string text = kNote + std::string("\n# Reference of the plugins\n");
+  for (const auto& [kind, meaning] : Registry::kinds()) {
+    text += "\n**[" + kind + "](" + kind + ".md)** " + meaning + "\n";
+    for (const PluginInfo* plugin : builtins().plugins(kind)) {
+      text += "- [`" + plugin->name + "`](" + kind + ".md#" + plugin->name +
+              "): " + plugin->summary + "\n";
+    }
+  }
+  return text;
+}
+
+// File name to content.
+std::map<std::string, std::string> pages() {
+  std::map<std::string, std::string> pages{{"README.md", index()}};
+  for (const auto& [kind, meaning] : Registry::kinds()) pages[kind + ".md"] = page(kind, meaning);
+  return pages;
+}
+
+}  // namespace
+
+TEST_CASE("the pages in docs/reference are up to date") {
+  INFO("if not: make reference");
+  std::set<std::string> found;
+  for (const auto& entry : std::filesystem::directory_iterator(kFolder)) {
+    found.insert(entry.path().filename().string());
+  }
+  for (const auto& [name, text] : pages()) {
+    REQUIRE_MESSAGE(found.erase(name) == 1, name, " is missing");
+    CHECK_MESSAGE(read_file((kFolder / name).string()) == text, name, " is stale");
+  }
+  for (const std::string& name : found) FAIL_CHECK(name, " belongs to no kind; remove it");
+}
+
+TEST_CASE("write docs/reference" * doctest::skip()) {
+  for (const auto& [name, text] : pages()) write_file((kFolder / name).string(), text);
+}
