@@ -13,7 +13,7 @@ namespace {
 using Seconds = std::chrono::duration<double>;
 
 constexpr Seconds kTerminalPeriod{0.2};
-constexpr Seconds kPlainPeriod{1.5};
+constexpr Seconds kPlainPeriod{1.0};
 // Before that, an estimate would be a guess.
 constexpr double kLeastShare = 0.02;
 constexpr double kLeastSeconds = 0.5;

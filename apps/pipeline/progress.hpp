@@ -11,7 +11,7 @@
 namespace xgm::cli {
 
 /// A thread of its own shows the state: on a terminal one line several times a second, elsewhere a
-/// log message every one and a half seconds.
+/// log message every second.
 class Progress {
  public:
   Progress();
