@@ -14,7 +14,8 @@ namespace {
 using namespace xgm::cli;
 
 bool is_unknown(const CLI::App& app, const char* subcommand) {
-  return subcommand[0] != '-' && app.get_subcommand_no_throw(subcommand) == nullptr;
+  const auto has_the_name = [&](const CLI::App* known) { return known->check_name(subcommand); };
+  return subcommand[0] != '-' && app.get_subcommands(has_the_name).empty();
 }
 
 /// What was asked for has to arrive: a full disk behind stdout is a failure.
