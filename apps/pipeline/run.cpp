@@ -2,7 +2,6 @@
 // pipeline run: match a pair of images.
 #include <spdlog/spdlog.h>
 
-#include <array>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -21,7 +20,7 @@
 namespace xgm::cli {
 namespace {
 
-constexpr std::array kTruthThresholds = {0.5, 1.0, 2.0, 4.0};  // px
+const std::vector kTruthThresholds = {0.5, 1.0, 2.0, 4.0};  // px
 
 class Stopwatch {
  public:
@@ -47,23 +46,17 @@ void make_folder(const std::string& folder) {
   }
 }
 
-struct Truth {
-  cv::Mat1f disparities;
-  cv::Mat1b mask;
-};
-
 /// Before matching: a mistake in these files should not cost the user a run.
-Truth read_truth(const RunOptions& options, Scene& scene) {
-  if (options.truth.empty()) return {scene.truth, {}};
-  Truth truth{read_disparities(options.truth, options.truth_scale), {}};
+void read_truth(const RunOptions& options, Scene& scene) {
+  if (options.truth.empty()) return;
+  scene.truth = {.disparity = read_disparities(options.truth, options.truth_scale)};
   scene.inputs.push_back({"truth", options.truth, identify_file(options.truth)});
   if (!options.truth_mask.empty()) {
-    truth.mask = read_mask(options.truth_mask);
+    scene.truth.non_occluded = read_mask(options.truth_mask);
     scene.inputs.push_back({"truth mask", options.truth_mask, identify_file(options.truth_mask)});
   }
   // All that can be wrong with it is found by judging an empty map.
-  evaluate(DisparityMap(scene.pair.size()), truth.disparities, {}, truth.mask);
-  return truth;
+  evaluate(DisparityMap(scene.pair.size()), scene.truth.disparity, {}, scene.truth.non_occluded);
 }
 
 /// Running out of memory must be an error, not the end of the process.
@@ -100,7 +93,7 @@ int run_checked(const RunOptions& options, const Pipeline& pipeline, const Plan&
   const Stopwatch reading;
   Scene scene = read_scene(plan);
   const DisparityRange range = make_range(plan, scene);
-  const Truth truth = read_truth(options, scene);
+  read_truth(options, scene);
   for (const std::string& note : scene.notes) spdlog::info(note);
   record.reading_seconds = reading.seconds();
   record.scene = scene.name;
@@ -127,8 +120,8 @@ int run_checked(const RunOptions& options, const Pipeline& pipeline, const Plan&
   }
   record.valid_share = map.valid_share();
   record.status_shares = status_shares(map);
-  if (!truth.disparities.empty()) {
-    record.truth = evaluate(map, truth.disparities, kTruthThresholds, truth.mask);
+  if (!scene.truth.disparity.empty()) {
+    record.truth = evaluate_regions(map, scene.truth, {.deltas = kTruthThresholds});
   }
   record.peak_memory_bytes = peak_memory();
   write_results(options.output, map, record);

@@ -33,7 +33,7 @@ void plan_disparities(Plan& plan, const RunOptions& options, const Pipeline& pip
     plan.disparities_from = "command line";
   } else if (plan.scene && plan.scene->disparities) {
     plan.disparities = *plan.scene->disparities;
-    plan.disparities_from = plan.scene->calibration;
+    plan.disparities_from = plan.scene->calibration_file;
   } else if (!plan.scene) {
     plan.disparities_from = "sample pair";  // known once it is generated
   } else if (pipeline.disparities()) {

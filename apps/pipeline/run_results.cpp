@@ -61,9 +61,8 @@ void write_results(const std::string& folder, const DisparityMap& map, const Run
 void print_summary(const std::string& folder, const RunRecord& record) {
   std::cout << "map:     " << record.size.width << " x " << record.size.height << ", "
             << percent(record.valid_share) << " of the pixels have a disparity\n";
-  if (record.truth) {
-    const Evaluation& truth = *record.truth;
-    std::cout << "truth:  ";
+  for (const auto& [region, truth] : record.truth) {
+    std::cout << "truth:   " << region << ":";
     for (const ThresholdScore& score : truth.at) {
       if (score.delta == 1) std::cout << " within 1 px " << percent(1 - score.total) << ",";
     }

@@ -75,8 +75,8 @@ TEST_CASE("run: a scene gives the right map, pictures and a record") {
   CHECK(record["threads"] == 1);
   CHECK(record["scene"]["inputs"].size() == 4);
   CHECK(record["valid_share"] > 0.7);
-  CHECK(record["truth"]["invalid"] < 0.3);
-  CHECK(record["truth"]["thresholds"].size() == 4);
+  CHECK(record["truth"][0]["invalid"] < 0.3);
+  CHECK(record["truth"][0]["thresholds"].size() == 4);
   CHECK(record["stages"].size() >= 5);
   CHECK(record["peak_memory_bytes"] > 1000000);
   CHECK(record["command_line"][0] == "run");

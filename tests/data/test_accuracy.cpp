@@ -15,7 +15,7 @@ using namespace xgm;
 
 namespace {
 
-constexpr std::array kDeltas{0.5, 1.0, 2.0, 4.0};
+const std::vector kDeltas{0.5, 1.0, 2.0, 4.0};
 constexpr std::array kScenes{"Adirondack", "Jadeplant", "Motorcycle", "MotorcycleE", "Piano",
                              "PianoL",     "Pipes",     "Playtable",  "Recycle",     "Teddy"};
 
@@ -32,7 +32,7 @@ Evaluation score(const Pipeline& pipeline, const std::filesystem::path& folder) 
                              std::nullopt};
   const DisparityMap map = pipeline.run(request, silent).forward;
   const cv::Mat1b mask = cv::imread((folder / "mask0nocc.png").string(), cv::IMREAD_GRAYSCALE);
-  return evaluate(map, read_pfm((folder / "disp0GT.pfm").string()), kDeltas, mask);
+  return evaluate(map, read_pfm((folder / "disp0GT.pfm").string()), {.deltas = kDeltas}, mask);
 }
 
 // Weighted total error at 1 px in percent; prints the row of the table.
@@ -42,7 +42,7 @@ double total_error(const std::filesystem::path& data, const std::string& name,
                                               xgm::testing::builtins(), overrides);
   REQUIRE(loaded.pipeline.has_value());
   double weights = 0, invalid = 0, error = 0;
-  std::array<double, kDeltas.size()> total{};
+  std::vector<double> total(kDeltas.size());
   for (const std::string scene : kScenes) {
     const Evaluation result =
         score(*loaded.pipeline, data / "stereo" / "middlebury_v3_trainingQ" / scene);

@@ -57,8 +57,8 @@ TEST_CASE("each finds at least 85 % of a generated scene's visible pixels within
     const MatchRequest request{
         scene.pair, DisparityRange::uniform(scene.pair.size(), scene.disparities), std::nullopt};
     const MatchResult result = load(file).run(request, silent);
-    const std::array deltas{1.0};
-    const Evaluation score = evaluate(result.forward, scene.truth, deltas, scene.non_occluded);
+    const Evaluation score =
+        evaluate(result.forward, scene.truth, {.deltas = {1.0}}, scene.non_occluded);
     MESSAGE(file.filename().string(), ": invalid ", 100 * score.invalid, " %, total error at 1 px ",
             100 * score.at[0].total, " %");
     CHECK_MESSAGE(score.at[0].total < 0.15, file.string());

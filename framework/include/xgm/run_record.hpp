@@ -65,7 +65,7 @@ struct RunRecord {
 
   double valid_share = 0;
   std::array<double, kStatusCount> status_shares{};
-  std::optional<Evaluation> truth;
+  std::vector<RegionEvaluation> truth;  ///< empty if nothing is known
 };
 
 /// The record as indented JSON, versions of xgm, OpenCV and the compiler included.

@@ -56,6 +56,11 @@ class Binder {
   bool operator()(Number* target) const {
     return number_of(node_, *target);
   }
+  bool operator()(std::string* target) const {
+    if (!node_.is_scalar()) return wrong_type(node_);
+    *target = node_.scalar;
+    return true;
+  }
   bool operator()(std::vector<double>* target) const {
     if (!node_.is_list()) return wrong_type(node_);
     std::vector<double> values(node_.items.size());
@@ -111,6 +116,7 @@ struct Expected {
     return std::string(field.only_odd ? "an odd" : "a") + " whole number" + range_text(field);
   }
   std::string operator()(const double*) const { return "a number" + range_text(field); }
+  std::string operator()(const std::string*) const { return "text"; }
   std::string operator()(const std::vector<double>*) const {
     return "a list of numbers" + range_text(field);
   }

@@ -42,6 +42,9 @@ Field& ParameterSet::add(std::string name, int& target, std::string text) {
 Field& ParameterSet::add(std::string name, double& target, std::string text) {
   return add_field(std::move(name), std::move(text), &target);
 }
+Field& ParameterSet::add(std::string name, std::string& target, std::string text) {
+  return add_field(std::move(name), std::move(text), &target);
+}
 Field& ParameterSet::add(std::string name, std::vector<double>& target, std::string text) {
   return add_field(std::move(name), std::move(text), &target);
 }

@@ -10,7 +10,7 @@ Scene sample_scene() {
   scene.name = "built-in sample pair";
   scene.pair = std::move(generated.pair);
   scene.disparities = generated.disparities;
-  scene.truth = generated.truth;
+  scene.truth = {generated.truth, generated.reverse_truth, generated.non_occluded, {}};
   return scene;
 }
 

@@ -78,8 +78,8 @@ SceneFiles find_scene(const std::string& folder) {
   files.images.right = find_image(folder, "im1");
   const fs::path calibration = fs::path(folder) / "calib.txt";
   if (fs::exists(calibration)) {
-    files.calibration = calibration.string();
-    files.disparities = read_ndisp(files.calibration);
+    files.calibration_file = calibration.string();
+    files.disparities = read_ndisp(files.calibration_file);
   }
   return files;
 }
@@ -97,7 +97,7 @@ Scene load_scene(const SceneFiles& files) {
                                    {"right", files.images.right},
                                    {"left mask", files.images.left_mask},
                                    {"right mask", files.images.right_mask},
-                                   {"calibration", files.calibration}}) {
+                                   {"calibration", files.calibration_file}}) {
     if (!file.empty()) scene.inputs.push_back({role, file, identify_file(file)});
   }
   return scene;

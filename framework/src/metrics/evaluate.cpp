@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -9,6 +10,8 @@ namespace xgm {
 namespace {
 
 constexpr std::uint8_t kJudged = 255;
+constexpr double kD1Pixels = 3;      // KITTI 2015: an outlier is off by more than this ...
+constexpr double kD1Relative = .05;  // ... and by more than this share of the true disparity
 
 void require_size(cv::Size size, cv::Size wanted, const char* what) {
   if (size == wanted) return;
@@ -18,39 +21,90 @@ void require_size(cv::Size size, cv::Size wanted, const char* what) {
               what + " of the left image");
 }
 
-}  // namespace
+double clipped(double disparity, Interval bounds) {
+  if (bounds.empty()) return disparity;
+  return std::clamp(disparity, static_cast<double>(bounds.begin), bounds.end - 1.0);
+}
 
-Evaluation evaluate(const DisparityMap& map, const cv::Mat1f& truth, std::span<const double> deltas,
-                    const cv::Mat1b& mask) {
-  require_size(truth.size(), map.size(), "truth");
-  if (!mask.empty()) require_size(mask.size(), map.size(), "truth mask");
-  Evaluation result;
+/// What a map's judged pixels amount to.
+struct Errors {
   std::int64_t invalid = 0;
-  double error_sum = 0;
-  std::vector<std::int64_t> bad(deltas.size());
+  std::int64_t outliers = 0;   // KITTI's, among the pixels compared
+  std::vector<double> values;  // of the pixels compared, px after scaling
+};
+
+Errors collect(const DisparityMap& map, const cv::Mat1f& truth, const EvaluationRules& rules,
+               const cv::Mat1b& mask) {
+  Errors errors;
   for (int y = 0; y < truth.rows; ++y) {
     for (int x = 0; x < truth.cols; ++x) {
       if (!std::isfinite(truth(y, x)) || (!mask.empty() && mask(y, x) != kJudged)) continue;
-      ++result.judged;
       if (!map.valid(y, x)) {
-        ++invalid;
+        ++errors.invalid;
         continue;
       }
-      const double error = std::abs(static_cast<double>(map.disparity(y, x)) - truth(y, x));
-      error_sum += error;
-      for (std::size_t i = 0; i < deltas.size(); ++i) bad[i] += error > deltas[i] ? 1 : 0;
+      const double wanted = static_cast<double>(truth(y, x));
+      const double found = clipped(static_cast<double>(map.disparity(y, x)), rules.clip);
+      const double error = rules.scale * std::abs(found - wanted);
+      errors.values.push_back(error);
+      const bool outlier =
+          error > kD1Pixels && error > kD1Relative * rules.scale * std::abs(wanted);
+      errors.outliers += outlier ? 1 : 0;
     }
   }
+  return errors;
+}
+
+/// The smallest error that at least `share` of them do not exceed.
+double quantile(const std::vector<double>& sorted, double share) {
+  const auto wanted = static_cast<std::size_t>(std::ceil(share * double(sorted.size())));
+  return sorted[std::max<std::size_t>(wanted, 1) - 1];
+}
+
+void describe_errors(const std::vector<double>& sorted, Evaluation& result) {
+  double sum = 0, squares = 0;
+  for (const double error : sorted) {
+    sum += error;
+    squares += error * error;
+  }
+  const auto count = static_cast<double>(sorted.size());
+  result.average_error = sum / count;
+  result.rms = std::sqrt(squares / count);
+  result.a50 = quantile(sorted, .50);
+  result.a90 = quantile(sorted, .90);
+  result.a95 = quantile(sorted, .95);
+  result.a99 = quantile(sorted, .99);
+}
+
+void describe_no_errors(Evaluation& result) {
+  for (double* figure :
+       {&result.average_error, &result.rms, &result.a50, &result.a90, &result.a95, &result.a99}) {
+    *figure = std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+}  // namespace
+
+Evaluation evaluate(const DisparityMap& map, const cv::Mat1f& truth, const EvaluationRules& rules,
+                    const cv::Mat1b& mask) {
+  require_size(truth.size(), map.size(), "truth");
+  if (!mask.empty()) require_size(mask.size(), map.size(), "truth mask");
+  Errors errors = collect(map, truth, rules, mask);
+  Evaluation result;
+  result.judged = errors.invalid + static_cast<std::int64_t>(errors.values.size());
   if (result.judged == 0) throw Error("the truth has no pixel to judge by; check file and mask");
+
   const auto share = [&](std::int64_t count) {
     return static_cast<double>(count) / static_cast<double>(result.judged);
   };
-  const std::int64_t compared = result.judged - invalid;
-  result.invalid = share(invalid);
-  result.average_error = compared > 0 ? error_sum / static_cast<double>(compared)
-                                      : std::numeric_limits<double>::quiet_NaN();
-  for (std::size_t i = 0; i < deltas.size(); ++i) {
-    result.at.push_back({deltas[i], share(bad[i]), share(bad[i] + invalid)});
+  std::sort(errors.values.begin(), errors.values.end());
+  errors.values.empty() ? describe_no_errors(result) : describe_errors(errors.values, result);
+  result.invalid = share(errors.invalid);
+  result.d1 = share(errors.outliers + errors.invalid);
+  for (const double delta : rules.deltas) {
+    const std::int64_t bad =
+        errors.values.end() - std::upper_bound(errors.values.begin(), errors.values.end(), delta);
+    result.at.push_back({delta, share(bad), result.invalid + share(bad)});
   }
   return result;
 }

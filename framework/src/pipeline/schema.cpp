@@ -30,6 +30,7 @@ struct Describe {
   Json operator()(const bool*) const { return {{"type", "boolean"}}; }
   Json operator()(const int*) const { return number(field, "integer"); }
   Json operator()(const double*) const { return number(field, "number"); }
+  Json operator()(const std::string*) const { return {{"type", "string"}}; }
   Json operator()(const std::vector<double>*) const {
     return {{"type", "array"}, {"items", number(field, "number")}};
   }

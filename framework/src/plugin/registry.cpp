@@ -51,6 +51,7 @@ std::vector<const PluginInfo*> Registry::named(std::string_view name) const {
 
 const std::vector<std::pair<std::string, std::string>>& Registry::kinds() {
   static const std::vector<std::pair<std::string, std::string>> kKinds{
+      {"dataset", "finds the scenes in a folder, and by which truth to judge them"},
       {"preprocess", "makes a better image pair of an image pair"},
       {"matcher", "finds the disparity maps of an image pair; matchers may hold matchers"},
       {"search_range", "narrows what the next finer level of a pyramid searches"},

@@ -54,10 +54,17 @@ Json statuses(const RunRecord& record) {
   return shares;
 }
 
-Json truth(const Evaluation& evaluation) {
-  Json json = {{"judged_pixels", evaluation.judged},
+Json truth(const std::string& region, const Evaluation& evaluation) {
+  Json json = {{"region", region},
+               {"judged_pixels", evaluation.judged},
                {"invalid", evaluation.invalid},
                {"average_error_px", evaluation.average_error},
+               {"rms_px", evaluation.rms},
+               {"a50_px", evaluation.a50},
+               {"a90_px", evaluation.a90},
+               {"a95_px", evaluation.a95},
+               {"a99_px", evaluation.a99},
+               {"d1", evaluation.d1},
                {"thresholds", Json::array()}};
   for (const ThresholdScore& score : evaluation.at) {
     json["thresholds"].push_back(
@@ -106,7 +113,9 @@ std::string to_json(const RunRecord& record) {
   json["peak_memory_bytes"] = record.peak_memory_bytes;
   json["valid_share"] = record.valid_share;
   json["status_shares"] = statuses(record);
-  if (record.truth) json["truth"] = truth(*record.truth);
+  for (const auto& [region, evaluation] : record.truth) {
+    json["truth"].push_back(truth(region, evaluation));
+  }
   json["stages"] = stages(record);
   json["warnings"] = record.warnings;
   if (!record.dumps.empty()) json["dumps"] = dumps(record);

@@ -97,9 +97,9 @@ TEST_CASE("clip_to_width keeps what an image can show") {
 TEST_CASE("the sample pair's truth lies in its range") {
   const Scene scene = sample_scene();
   REQUIRE(scene.disparities.has_value());
-  REQUIRE(scene.truth.size() == scene.pair.size());
+  REQUIRE(scene.truth.disparity.size() == scene.pair.size());
   double low = 0, high = 0;
-  cv::minMaxLoc(scene.truth, &low, &high);
+  cv::minMaxLoc(scene.truth.disparity, &low, &high);
   CHECK(low >= scene.disparities->begin);
   CHECK(high <= scene.disparities->end - 1);
 }

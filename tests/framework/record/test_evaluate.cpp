@@ -45,7 +45,7 @@ Case random_case(cv::Size size, std::uint64_t seed) {
 }  // namespace
 
 TEST_CASE("metrics: equal the definitions of section 4.2, written plainly") {
-  const std::array deltas = {0.5, 1.0, 2.0};
+  const std::vector<double> deltas = {0.5, 1.0, 2.0};
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const Case c = random_case({9, 7}, seed);
     for (const bool masked : {false, true}) {
@@ -65,7 +65,8 @@ TEST_CASE("metrics: equal the definitions of section 4.2, written plainly") {
           if (std::fabs(d - truth) > deltas[k]) bad[k] += 1;
         }
       }
-      const Evaluation e = evaluate(c.map, c.truth, deltas, masked ? c.mask : cv::Mat1b());
+      const Evaluation e =
+          evaluate(c.map, c.truth, {.deltas = deltas}, masked ? c.mask : cv::Mat1b());
       CHECK(static_cast<double>(e.judged) == truth_pixels);
       CHECK(e.invalid == doctest::Approx(invalid / truth_pixels));
       CHECK(e.average_error == doctest::Approx(error_sum / both));
@@ -81,13 +82,13 @@ TEST_CASE("metrics: equal the definitions of section 4.2, written plainly") {
 TEST_CASE("metrics: an error of exactly delta is not bad") {
   DisparityMap map({1, 1});
   map.set(0, 0, 3);
-  const std::array deltas = {1.0};
+  const EvaluationRules deltas{.deltas = {1.0}};
   CHECK(evaluate(map, cv::Mat1f(1, 1, 4.0f), deltas).at[0].bad == 0);
   CHECK(evaluate(map, cv::Mat1f(1, 1, 4.001f), deltas).at[0].bad == 1);
 }
 
 TEST_CASE("metrics: an empty map is all invalid, its average error unknown") {
-  const std::array deltas = {1.0};
+  const EvaluationRules deltas{.deltas = {1.0}};
   const Evaluation e = evaluate(DisparityMap({2, 2}), cv::Mat1f(2, 2, 1.0f), deltas);
   CHECK(e.invalid == 1);
   CHECK(e.at[0].total == 1);

@@ -43,7 +43,12 @@ TEST_CASE("run.json is valid JSON whatever the names and figures are") {
   record.overrides = {{"matcher.scale", "2"}};
   record.disparities = {-3, 5};
   record.stages = {{"matcher", "x", {1.5, 100}, true, {{"nan", std::nan("")}}}};
-  record.truth = Evaluation{4, 0.25, 0.5, {{1, 0.25, 0.5}}};
+  Evaluation evaluation;
+  evaluation.judged = 4;
+  evaluation.invalid = 0.25;
+  evaluation.average_error = 0.5;
+  evaluation.at = {{1, 0.25, 0.5}};
+  record.truth = {{"all", evaluation}};
   const auto json = nlohmann::json::parse(to_json(record));
   CHECK(json["pipeline"]["resolved"]["matcher"]["type"] == "x");
   CHECK(json["pipeline"]["overrides"][0]["path"] == "matcher.scale");
@@ -52,7 +57,7 @@ TEST_CASE("run.json is valid JSON whatever the names and figures are") {
   CHECK(json["disparities"]["last"] == 4);
   CHECK(json["stages"][0]["seconds"] == 1.5);
   CHECK(json["stages"][0]["figures"]["nan"].is_null());
-  CHECK(json["truth"]["thresholds"][0]["total"] == 0.5);
+  CHECK(json["truth"][0]["thresholds"][0]["total"] == 0.5);
   CHECK(json["status_shares"].size() == kStatusCount);
   CHECK_FALSE(json["versions"]["opencv"].get<std::string>().empty());
 }

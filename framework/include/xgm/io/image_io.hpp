@@ -7,16 +7,9 @@
 
 #include "xgm/base/export.hpp"
 #include "xgm/data/image.hpp"
+#include "xgm/data/scene_files.hpp"
 
 namespace xgm {
-
-/// Files of a pair. Masks may be left empty.
-struct PairFiles {
-  std::string left;
-  std::string right;
-  std::string left_mask;  ///< non-zero where the left image may be used
-  std::string right_mask;
-};
 
 struct ReadPair {
   ImagePair pair;

@@ -8,19 +8,13 @@
 
 #include "xgm/base/export.hpp"
 #include "xgm/data/disparity_range.hpp"
+#include "xgm/data/ground_truth.hpp"
 #include "xgm/data/image.hpp"
+#include "xgm/data/scene_files.hpp"
 #include "xgm/io/file.hpp"
 #include "xgm/io/image_io.hpp"
 
 namespace xgm {
-
-/// Where a scene's files lie. Made without opening an image.
-struct SceneFiles {
-  std::string name;  ///< for people: the folder, or the left image
-  PairFiles images;
-  std::string calibration;              ///< calib.txt, empty if there is none
-  std::optional<Interval> disparities;  ///< [0, ndisp) of calib.txt, if it says so
-};
 
 /// A file that was read, by the part it plays ("left", "right mask", "calibration", ...).
 struct InputFile {
@@ -33,7 +27,7 @@ struct Scene {
   std::string name;
   ImagePair pair;
   std::optional<Interval> disparities;
-  cv::Mat1f truth;  ///< the sample's true disparities; empty for all other scenes
+  GroundTruth truth;
   std::vector<InputFile> inputs;
   std::vector<std::string> notes;  ///< what a reader should know about the images
 };
