@@ -34,12 +34,7 @@ void add_inputs(CLI::App& command, RunOptions& options) {
   command.add_option("--scene", options.scene_name, "Which scene, if SCENE_DIR holds several")
       ->type_name("NAME")
       ->needs(scene);
-  command
-      .add_option("--dataset", options.dataset,
-                  "How SCENE_DIR is laid out, if that is not recognised: name of a data set, YAML "
-                  "of one, or a file of such YAML")
-      ->type_name("NAME|YAML|FILE")
-      ->needs(scene);
+  add_dataset_option(command, options.dataset)->needs(scene);
   auto* left = command.add_option("--left", options.images.left, "Left (base) image");
   auto* right = command.add_option("--right", options.images.right, "Right (match) image");
   auto* left_mask = command.add_option("--left-mask", options.images.left_mask,
@@ -73,7 +68,7 @@ void add_truth(CLI::App& command, RunOptions& options) {
   auto* truth = command
                     .add_option("--truth", options.truth,
                                 "True disparities to compare with: PFM, or 8- or 16-bit PNG (0 = "
-                                "none)")
+                                "none). Without it those of the scene, if it has any")
                     ->type_name("FILE")
                     ->check(existing_file());
   command
@@ -88,6 +83,19 @@ void add_truth(CLI::App& command, RunOptions& options) {
       ->type_name("FILE")
       ->check(existing_file())
       ->needs(truth);
+}
+
+void add_depth(CLI::App& command, RunOptions& options) {
+  command
+      .add_option("--cloud", options.cloud,
+                  "Also write the points, coloured, in mm (binary PLY), and their depths; the "
+                  "scene's calibration must be known")
+      ->type_name("FILE.ply");
+  command
+      .add_option("--depth", options.depth,
+                  "Also write the depths in mm (float TIFF, NaN = none); with --cloud this is "
+                  "depth.tiff beside it unless given")
+      ->type_name("FILE.tiff");
 }
 
 }  // namespace
@@ -112,6 +120,7 @@ void add_run_options(CLI::App& command, RunOptions& options) {
                   "paths), to DIR/dump: '*' for all, '*.cost'")
       ->type_name("GLOB");
   add_truth(command, options);
+  add_depth(command, options);
   add_plugin_options(command, options.plugins);
   command
       .add_option("--log-level", options.log_level,

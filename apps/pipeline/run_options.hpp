@@ -27,6 +27,8 @@ struct RunOptions {
   std::string truth;
   std::string truth_mask;
   double truth_scale = 1;
+  std::string cloud;
+  std::string depth;
   PluginOptions plugins;
 };
 
