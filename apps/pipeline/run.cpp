@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <iostream>
 #include <memory>
 
 #include "common.hpp"
@@ -146,10 +147,11 @@ int run_checked(const RunOptions& options, const Pipeline& pipeline, const Plan&
     record.truth = evaluate_regions(map, scene.truth, {.deltas = kTruthThresholds});
   }
   record.peak_memory_bytes = peak_memory();
+  const std::string depth_text = depth ? write_depth_files(*depth, map, left) : "";
   write_results(options.output, map, record);
   progress.end();
   print_summary(options.output, record);
-  if (depth) write_depth_files(*depth, map, left);
+  std::cout << depth_text << std::flush;
   return judge(map, record);
 }
 

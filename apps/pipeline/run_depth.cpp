@@ -2,7 +2,6 @@
 #include "run_depth.hpp"
 
 #include <filesystem>
-#include <iostream>
 
 #include "xgm/io/point_cloud.hpp"
 
@@ -47,12 +46,12 @@ std::optional<DepthPlan> plan_depth(const RunOptions& options, const Plan& plan)
   return depth;
 }
 
-void write_depth_files(const DepthPlan& plan, const DisparityMap& map, const Image& left) {
+std::string write_depth_files(const DepthPlan& plan, const DisparityMap& map, const Image& left) {
   write_depths(plan.depth, depths(map.disparity, plan.cameras));
-  std::cout << "depth:   " << plan.depth << " (mm)\n";
-  if (plan.cloud.empty()) return;
+  std::string text = "depth:   " + plan.depth + " (mm)\n";
+  if (plan.cloud.empty()) return text;
   const std::size_t count = write_point_cloud(plan.cloud, map.disparity, plan.cameras, left);
-  std::cout << "cloud:   " << plan.cloud << ", " << count << " points (mm)\n";
+  return text + "cloud:   " + plan.cloud + ", " + std::to_string(count) + " points (mm)\n";
 }
 
 }  // namespace xgm::cli

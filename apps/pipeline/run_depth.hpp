@@ -21,7 +21,7 @@ struct DepthPlan {
 /// cannot be written.
 std::optional<DepthPlan> plan_depth(const RunOptions& options, const Plan& plan);
 
-/// Writes what was asked for and tells so on stdout. Throws Error.
-void write_depth_files(const DepthPlan& plan, const DisparityMap& map, const Image& left);
+/// Writes what was asked for; returns lines that tell so. Throws Error.
+std::string write_depth_files(const DepthPlan& plan, const DisparityMap& map, const Image& left);
 
 }  // namespace xgm::cli
