@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Evaluations as JSON: one form for run.json, `pipeline eval` and `pipeline bench`, which reads it
+// back. Figures that are not known (NaN) are null. docs/evaluate.md lists the fields.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "xgm/metrics.hpp"
+#include "xgm/sparsification.hpp"
+
+namespace xgm {
+
+nlohmann::ordered_json to_json(const RegionEvaluation& evaluation);
+nlohmann::ordered_json to_json(const std::vector<RegionEvaluation>& evaluations);
+/// The inverse, exact to the last bit. Throw Error if `json` has another form.
+RegionEvaluation evaluation_from_json(const nlohmann::ordered_json& json);
+std::vector<RegionEvaluation> evaluations_from_json(const nlohmann::ordered_json& json);
+
+nlohmann::ordered_json to_json(const RegionSparsification& sparsification);
+
+}  // namespace xgm
