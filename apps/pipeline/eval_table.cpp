@@ -115,12 +115,13 @@ std::string errors(const Regions& regions) {
                    error("A99", regions, &Evaluation::a99)});
 }
 
-/// A curve at every fourth of its points (20, 40, ... % kept), and its areas.
+/// A curve where 25, 50, 75 and 100 % are kept, and its areas.
 void add_curve(std::vector<Column>& columns, const SparsificationCurve& curve, double unit,
                int digits) {
   std::size_t column = 0;
-  for (std::size_t i = 3; i < curve.value.size(); i += 4) {
-    columns[column++].cells.push_back(number(unit * curve.value[i], digits));
+  const std::size_t step = curve.value.size() / 4;
+  for (std::size_t end = step; end <= curve.value.size(); end += step) {
+    columns[column++].cells.push_back(number(unit * curve.value[end - 1], digits));
   }
   columns[column++].cells.push_back(number(unit * curve.area, digits));
   columns[column].cells.push_back(number(unit * curve.optimal_area, digits));
@@ -130,7 +131,7 @@ std::string sparsifications(const Judgement& judgement) {
   if (judgement.confidence.empty()) return {};
   Column rows{"", {}};
   std::vector<Column> columns;
-  for (const char* heading : {"20 %", "40 %", "60 %", "80 %", "100 %", "area", "optimal"}) {
+  for (const char* heading : {"25 %", "50 %", "75 %", "100 %", "area", "optimal"}) {
     columns.push_back({heading, {}});
   }
   for (const auto& [region, sparsification] : judgement.confidence) {

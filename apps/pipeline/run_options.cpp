@@ -62,14 +62,13 @@ void add_truth(CLI::App& command, RunOptions& options) {
   auto* truth = command
                     .add_option("--truth", options.truth,
                                 "True disparities to compare with: PFM, or 8- or 16-bit PNG with "
-                                "--truth-scale (0 = none)")
+                                "--truth-divisor (0 = none)")
                     ->type_name("FILE")
                     ->check(existing_file());
   command
-      .add_option("--truth-scale", options.truth_divisor,
+      .add_option("--truth-divisor,--truth-scale", options.truth_divisor,
                   "What the truth's values are divided by to give px (KITTI: 256)")
       ->type_name("NUMBER")
-      ->check(CLI::PositiveNumber)
       ->needs(truth);
   command
       .add_option("--truth-mask", options.truth_mask,

@@ -22,19 +22,18 @@ bool holds_whole_numbers(const Raster& raster) {
 }
 
 void require_measures(const Raster& raster, std::optional<double> divisor) {
-  const std::string kind = depth_name(raster.depth);
   if (!has_equal_channels(raster)) {
-    throw Error(raster.file + ": is a " + kind +
-                " colour picture; its colours are no measures of disparity: give a PFM "
+    throw Error(raster.file +
+                ": is a colour picture; its colours are no measures of disparity: give a PFM "
                 "(disparity.pfm), or an image of one channel");
   }
   if (divisor && (!std::isfinite(*divisor) || *divisor == 0)) {
     throw Error(raster.file + ": the divisor of its values must be a number other than 0");
   }
   if (!divisor && holds_whole_numbers(raster)) {
-    throw Error(raster.file + ": is a " + kind +
-                " image of whole numbers, as pictures for display are: give a PFM "
-                "(disparity.pfm), or say by which divisor its values become pixels (KITTI: 256)");
+    throw Error(raster.file + ": holds whole numbers (" + depth_name(raster.depth) +
+                "), as pictures for display do: give a PFM (disparity.pfm), or say by which number "
+                "they are divided to give px (--divisor, --truth-divisor; KITTI: 256)");
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -42,7 +43,103 @@ Case random_case(cv::Size size, std::uint64_t seed) {
   return result;
 }
 
+/// Pixels in a row; NaN = no disparity, no truth. The ninth is masked out.
+//   truth      10   10  10  10  100  100   10  none  10   50
+//   disparity  10 10.5   9  12  104  106 none     3  50 46.5
+//   error       0   .5   1   2    4    6    -     - (40)  3.5
+Case by_hand() {
+  const cv::Mat1f truth = (cv::Mat1f(1, 10) << 10, 10, 10, 10, 100, 100, 10, kNan, 10, 50);
+  const cv::Mat1f found = (cv::Mat1f(1, 10) << 10, 10.5, 9, 12, 104, 106, kNan, 3, 50, 46.5);
+  Case result{DisparityMap({10, 1}), truth, cv::Mat1b(1, 10, 255)};
+  result.mask(8) = 128;
+  for (int x = 0; x < 10; ++x) {
+    if (!std::isnan(found(x))) result.map.set(0, x, found(x));
+  }
+  return result;
+}
+
 }  // namespace
+
+// Judged are 8 pixels: all but the one without truth and the masked one. One is invalid. Seven
+// errors, sorted: 0, 0.5, 1, 2, 3.5, 4, 6; their sum is 17, that of their squares 69.5.
+TEST_CASE("metrics: figures computed by hand") {
+  const Case c = by_hand();
+  const Evaluation e = evaluate(c.map, c.truth, {.deltas = {0.5, 1, 2, 4, 6}}, c.mask);
+  CHECK(e.judged == 8);
+  CHECK(e.invalid == 1.0 / 8);
+  CHECK(e.coverage() == 7.0 / 8);
+  CHECK(e.average_error == 17.0 / 7);
+  CHECK(e.rms == std::sqrt(69.5 / 7));
+  CHECK(e.a50 == 2);  // 4 of 7 errors are at most 2, 3 of 7 at most 1
+  CHECK(e.a90 == 6);  // 6 of 7 are 86 %: too few
+  CHECK(e.a95 == 6);
+  CHECK(e.a99 == 6);
+  // Above 3 px: 3.5 (7 % of 50), 4 (4 % of 100: no outlier), 6 (6 % of 100); and the invalid one.
+  CHECK(e.d1 == 3.0 / 8);
+  const std::array bad = {5, 4, 3, 1, 0};  // errors above 0.5, 1, 2, 4 and 6
+  for (std::size_t i = 0; i < bad.size(); ++i) {
+    CHECK(e.at[i].bad == bad[i] / 8.0);
+    CHECK(e.at[i].total == (bad[i] + 1) / 8.0);
+  }
+}
+
+// The errors times 4: 0, 2, 4, 8, 14, 16, 24.
+TEST_CASE("metrics: scale multiplies errors, not thresholds nor shares of the truth") {
+  const Case c = by_hand();
+  const Evaluation e = evaluate(c.map, c.truth, {.deltas = {2, 14}, .scale = 4}, c.mask);
+  CHECK(e.average_error == 68.0 / 7);
+  CHECK(e.rms == doctest::Approx(4 * std::sqrt(69.5 / 7)));
+  CHECK(e.a50 == 8);
+  CHECK(e.at[0].bad == 5.0 / 8);
+  CHECK(e.at[1].bad == 2.0 / 8);
+  // Above 3 px and 5 % now also: 4 (10 % of the truth) and 8 (20 %); 16 is 4 % as before.
+  CHECK(e.d1 == 5.0 / 8);
+}
+
+// 104 and 106 become 100, 9 becomes 10, each the truth: errors 0, 0, 0, 0, 0.5, 2, 3.5.
+TEST_CASE("metrics: clip moves disparities to the last one included, and leaves holes alone") {
+  const Case c = by_hand();
+  const Evaluation e = evaluate(c.map, c.truth, {.deltas = {1}, .clip = {10, 101}}, c.mask);
+  CHECK(e.invalid == 1.0 / 8);
+  CHECK(e.average_error == 6.0 / 7);
+  CHECK(e.at[0].bad == 2.0 / 8);
+}
+
+TEST_CASE("metrics: A50 to A99, RMS and D1 equal their definitions, written plainly") {
+  const std::array shares = {0.50, 0.90, 0.95, 0.99};
+  for (std::uint64_t seed = 100; seed < 140; ++seed) {
+    const Case c = random_case({static_cast<int>(seed % 23) + 1, 9}, seed);
+    std::vector<double> errors;
+    double squares = 0, outliers = 0, judged = 0;
+    for (int i = 0; i < static_cast<int>(c.truth.total()); ++i) {
+      const int y = i / c.truth.cols, x = i % c.truth.cols;
+      if (std::isnan(c.truth(y, x))) continue;
+      judged += 1;
+      const double truth = c.truth(y, x), error = std::fabs(c.map.disparity(y, x) - truth);
+      const bool hole = std::isnan(c.map.disparity(y, x));
+      if (hole || (error > 3 && error / std::fabs(truth) > 0.05)) outliers += 1;
+      if (hole) continue;
+      errors.push_back(error);
+      squares += error * error;
+    }
+    if (errors.empty()) continue;
+    const Evaluation e = evaluate(c.map, c.truth, {});
+    CHECK(e.d1 == doctest::Approx(outliers / judged));
+    CHECK(e.rms == doctest::Approx(std::sqrt(squares / static_cast<double>(errors.size()))));
+    const std::array figures = {e.a50, e.a90, e.a95, e.a99};
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+      // The smallest of the errors that enough of them do not exceed.
+      double smallest = std::numeric_limits<double>::infinity();
+      for (const double candidate : errors) {
+        const auto within = std::count_if(errors.begin(), errors.end(),
+                                          [&](double error) { return error <= candidate; });
+        const double share = static_cast<double>(within) / static_cast<double>(errors.size());
+        if (share >= shares[i]) smallest = std::min(smallest, candidate);
+      }
+      CHECK(figures[i] == smallest);
+    }
+  }
+}
 
 TEST_CASE("metrics: equal the definitions of section 4.2, written plainly") {
   const std::vector<double> deltas = {0.5, 1.0, 2.0};
@@ -74,6 +171,7 @@ TEST_CASE("metrics: equal the definitions of section 4.2, written plainly") {
       for (std::size_t k = 0; k < 3; ++k) {
         CHECK(e.at[k].bad == doctest::Approx(bad[k] / truth_pixels));
         CHECK(e.at[k].total == doctest::Approx((bad[k] + invalid) / truth_pixels));
+        CHECK(e.at[k].total == e.invalid + e.at[k].bad);  // to the last bit
       }
     }
   }
