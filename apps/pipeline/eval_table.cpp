@@ -97,7 +97,7 @@ std::string totals(const Regions& regions) {
   columns.push_back(share("invalid", regions, &Evaluation::invalid));
   for (Column& total : at_thresholds(regions, &ThresholdScore::total)) columns.push_back(total);
   columns.push_back(share("D1", regions, &Evaluation::d1));
-  return "total error: without a disparity (invalid) or more than so many px off, % of pixels\n" +
+  return "total error: no disparity (invalid), or more than so many px off, % of pixels\n" +
          lines_of(names(regions), columns);
 }
 
