@@ -102,7 +102,7 @@ EvaluationRules parse_rules(const EvalOptions& options) {
   if (!std::isfinite(options.scale) || options.scale <= 0) {
     throw UsageError("--scale: must be a number above 0");
   }
-  EvaluationRules rules{.deltas = kUsualThresholds, .scale = options.scale};
+  EvaluationRules rules{.deltas = usual_thresholds(), .scale = options.scale};
   if (options.thresholds.empty()) return rules;
   rules.deltas.clear();
   for (std::size_t begin = 0; begin <= options.thresholds.size();) {

@@ -119,7 +119,7 @@ int run_checked(const RunOptions& options, const Pipeline& pipeline, const Plan&
   record.valid_share = map.valid_share();
   record.status_shares = status_shares(map);
   if (!scene.truth.disparity.empty()) {
-    record.truth = evaluate_regions(map, scene.truth, {.deltas = kUsualThresholds});
+    record.truth = evaluate_regions(map, scene.truth, {.deltas = usual_thresholds()});
   }
   record.peak_memory_bytes = peak_memory();
   write_results(options.output, map, record);

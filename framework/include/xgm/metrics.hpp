@@ -16,7 +16,7 @@
 namespace xgm {
 
 /// Where programs judge unless they are told otherwise, px.
-inline const std::vector<double> kUsualThresholds = {0.5, 1, 2, 4};
+inline std::vector<double> usual_thresholds() { return {0.5, 1, 2, 4}; }
 
 struct EvaluationRules {
   std::vector<double> deltas;  ///< thresholds, px after scaling
