@@ -53,6 +53,8 @@ void write_inputs(const TemporaryFolder& folder) {
   for (const std::string name : {"samples/field/calib.txt", "samples/house/calib.txt"}) {
     folder.write(name, "cam0=[200 0 80; 0 200 60; 0 0 1]\ndoffs=4\nbaseline=120\nndisp=32\n");
   }
+  write_pfm(folder / "scene/disp0GT.pfm", scene.truth);
+  write_png(folder / "scene/mask0nocc.png", scene.non_occluded);
   write_pfm(folder / "truth.pfm", scene.truth);
   write_pfm(folder / "min.pfm", cv::Mat1f(scene.truth - 4));
   write_pfm(folder / "max.pfm", cv::Mat1f(scene.truth + 4));

@@ -63,18 +63,6 @@ cv::Mat1b cross_check(const cv::Mat1f& disparity, const cv::Mat1f& reverse) {
   return mask;
 }
 
-std::vector<InputFile> identify_truth(const TruthFiles& files) {
-  std::vector<InputFile> found;
-  for (const auto& [role, file] : {std::pair{"truth", files.disparity.file},
-                                   {"reverse truth", files.reverse.file},
-                                   {"visible truth", files.visible.file},
-                                   {"truth mask", files.non_occluded},
-                                   {"object map", files.objects}}) {
-    if (!file.empty()) found.push_back({role, file, identify_file(file)});
-  }
-  return found;
-}
-
 GroundTruth load_truth(const TruthFiles& files, cv::Size size) {
   GroundTruth truth;
   truth.disparity = read_truth(files.disparity, size);

@@ -67,7 +67,8 @@ TEST_CASE("one of several scenes is named; a miss is answered with the nearest n
 TEST_CASE("truth of another size than the images is an error that names the file") {
   const Tree tree;
   tree.add("t.pfm", 2);
-  const TruthFiles files{.disparity = {tree / "t.pfm", 1}};
+  TruthFiles files;
+  files.disparity.file = tree / "t.pfm";
   CHECK(load_truth(files, {kTreeWidth, kTreeHeight}).non_occluded.empty());
   CHECK(contains(error_of([&] { load_truth(files, {9, 9}); }), "t.pfm: is 4 x 3 pixels but"));
   CHECK(load_truth({}, {9, 9}).disparity.empty());

@@ -22,7 +22,8 @@ class Tree : public TemporaryFolder {
     if (name.ends_with(".pfm")) {
       write_pfm(file, cv::Mat1f(kTreeHeight, kTreeWidth, static_cast<float>(value)));
     } else {
-      write_png(file, cv::Mat1b(kTreeHeight, kTreeWidth, value));  // OpenCV goes by the content
+      write_png(file, cv::Mat1b(kTreeHeight, kTreeWidth,
+                                cv::saturate_cast<uchar>(value)));  // OpenCV goes by the content
     }
   }
   void add_text(const std::string& name, const std::string& text) const {

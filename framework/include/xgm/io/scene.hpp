@@ -58,7 +58,7 @@ XGM_API Scene load_scene(const SceneFiles& files);
 /// cross_check. Throws Error, also if a file is of another size.
 XGM_API GroundTruth load_truth(const TruthFiles& files, cv::Size size);
 
-/// The files of the truth that are there, for records. Throws Error.
+/// The truth among the files that were read, with their parts.
 XGM_API std::vector<InputFile> identify_truth(const TruthFiles& files);
 
 /// Which left pixels are seen in the right image, by the truth of both views: 255 where the truth
