@@ -136,7 +136,7 @@ int run(const RunOptions& options, const std::vector<std::string>& command_line)
   const Registry registry = make_registry(options.plugins);
   const auto named = load_named(options.pipeline, registry, overrides);
   if (!named) return kUsage;
-  const Plan plan = make_plan(options, named->pipeline);
+  const Plan plan = make_plan(options, named->pipeline, registry);
   make_folder(options.output);
   RunRecord record = begin_record(options, *named, overrides, plan);
   record.command_line = command_line;

@@ -6,11 +6,11 @@
 namespace xgm::cli {
 namespace {
 
-std::optional<SceneFiles> plan_scene(const RunOptions& options) {
+std::optional<SceneFiles> plan_scene(const RunOptions& options, const Registry& registry) {
   SceneFiles files;
   if (!options.scene.empty()) {
     try {
-      files = find_scene(options.scene);
+      files = find_scene(options.scene, registry, options.scene_name, options.dataset);
     } catch (const Error& error) {
       throw UsageError(error.message());
     }
@@ -22,8 +22,8 @@ std::optional<SceneFiles> plan_scene(const RunOptions& options) {
   } else {
     return std::nullopt;
   }
-  files.images.left_mask = options.images.left_mask;
-  files.images.right_mask = options.images.right_mask;
+  if (!options.images.left_mask.empty()) files.images.left_mask = options.images.left_mask;
+  if (!options.images.right_mask.empty()) files.images.right_mask = options.images.right_mask;
   return files;
 }
 
@@ -33,7 +33,8 @@ void plan_disparities(Plan& plan, const RunOptions& options, const Pipeline& pip
     plan.disparities_from = "command line";
   } else if (plan.scene && plan.scene->disparities) {
     plan.disparities = *plan.scene->disparities;
-    plan.disparities_from = plan.scene->calibration_file;
+    const std::string& file = plan.scene->calibration_file;
+    plan.disparities_from = file.empty() ? "data set " + plan.scene->dataset : file;
   } else if (!plan.scene) {
     plan.disparities_from = "sample pair";  // known once it is generated
   } else if (pipeline.disparities()) {
@@ -52,9 +53,9 @@ std::string text_of(Interval interval) {
 
 }  // namespace
 
-Plan make_plan(const RunOptions& options, const Pipeline& pipeline) {
+Plan make_plan(const RunOptions& options, const Pipeline& pipeline, const Registry& registry) {
   Plan plan;
-  plan.scene = plan_scene(options);
+  plan.scene = plan_scene(options, registry);
   if (options.range_maps.empty()) {
     plan_disparities(plan, options, pipeline);
     return plan;

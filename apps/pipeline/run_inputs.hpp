@@ -19,7 +19,7 @@ struct Plan {
 };
 
 /// Throws UsageError: no such folder, no disparity range, range maps that the pipeline cannot take.
-Plan make_plan(const RunOptions& options, const Pipeline& pipeline);
+Plan make_plan(const RunOptions& options, const Pipeline& pipeline, const Registry& registry);
 
 /// Opens the images. Throws Error.
 Scene read_scene(const Plan& plan);

@@ -27,9 +27,19 @@ void add_inputs(CLI::App& command, RunOptions& options) {
       ->required();
   auto* scene = command
                     .add_option("scene", options.scene,
-                                "Middlebury or ETH3D folder: im0.png, im1.png, calib.txt. With "
-                                "neither scene nor images the built-in sample pair is matched")
+                                "Folder of a scene, or of scenes, of any known data set (see "
+                                "'pipeline list dataset'). With neither scene nor images the "
+                                "built-in sample pair is matched")
                     ->type_name("SCENE_DIR");
+  command.add_option("--scene", options.scene_name, "Which scene, if SCENE_DIR holds several")
+      ->type_name("NAME")
+      ->needs(scene);
+  command
+      .add_option("--dataset", options.dataset,
+                  "How SCENE_DIR is laid out, if that is not recognised: name of a data set, YAML "
+                  "of one, or a file of such YAML")
+      ->type_name("NAME|YAML|FILE")
+      ->needs(scene);
   auto* left = command.add_option("--left", options.images.left, "Left (base) image");
   auto* right = command.add_option("--right", options.images.right, "Right (match) image");
   auto* left_mask = command.add_option("--left-mask", options.images.left_mask,
@@ -48,7 +58,8 @@ void add_search(CLI::App& command, RunOptions& options) {
       command
           .add_option("--disparities", options.disparities,
                       "Smallest and largest disparity to search, both included, px: 0:63, -64:64. "
-                      "Without it: 0 to ndisp - 1 of calib.txt, else 'disparities' of the pipeline")
+                      "Without it: what the data set says (ndisp of calib.txt), else "
+                      "'disparities' of the pipeline")
           ->type_name("MIN:MAX");
   command
       .add_option("--range-maps", options.range_maps,

@@ -13,7 +13,9 @@ namespace xgm::cli {
 
 struct RunOptions {
   std::string pipeline;
-  std::string scene;
+  std::string scene;       ///< folder
+  std::string scene_name;  ///< of its scenes, the one to match
+  std::string dataset;
   PairFiles images;
   std::string disparities;
   std::string range_maps;

@@ -25,7 +25,7 @@ double weight(const std::string& scene) {
 }
 
 Evaluation score(const Pipeline& pipeline, const std::filesystem::path& folder) {
-  const Scene scene = load_scene(find_scene(folder.string()));
+  const Scene scene = load_scene(find_scene(folder.string(), xgm::testing::builtins()));
   Observer silent;
   const MatchRequest request{scene.pair,
                              DisparityRange::uniform(scene.pair.size(), scene.disparities.value()),

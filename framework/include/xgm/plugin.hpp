@@ -10,6 +10,7 @@
 #include "xgm/stage/aggregation.hpp"
 #include "xgm/stage/consistency.hpp"
 #include "xgm/stage/cost.hpp"
+#include "xgm/stage/dataset.hpp"
 #include "xgm/stage/filter.hpp"
 #include "xgm/stage/matcher.hpp"
 #include "xgm/stage/penalty.hpp"

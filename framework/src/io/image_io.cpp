@@ -124,7 +124,9 @@ ReadPair read_pair(const PairFiles& files) {
 }
 
 cv::Mat1f read_disparities(const std::string& file, double divisor) {
-  if (!(divisor > 0)) throw Error(file + ": the divisor of its values must be above 0");
+  if (divisor == 0 || !std::isfinite(divisor)) {
+    throw Error(file + ": the divisor of its values must not be 0");
+  }
   Raster raster = read_raster(file);
   cv::Mat1f map = raster.planes.front();
   const bool whole_numbers = raster.depth == CV_8U || raster.depth == CV_16U;

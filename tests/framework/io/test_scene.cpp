@@ -5,10 +5,12 @@
 
 #include <limits>
 
+#include "support/support.hpp"
 #include "support/temporary_folder.hpp"
 #include "xgm/io/pfm.hpp"
 
 using namespace xgm;
+using xgm::testing::builtins;
 using xgm::testing::contains;
 using xgm::testing::error_of;
 using xgm::testing::TemporaryFolder;
@@ -28,7 +30,7 @@ TEST_CASE("a scene folder: images, [0, ndisp) of calib.txt, and what was read") 
   const TemporaryFolder folder;
   write_pair(folder);
   folder.write("calib.txt", "cam0=[1 0 2; 0 1 3; 0 0 1]\r\ndoffs=0\r\n ndisp = 70 \r\nvmax=65\r\n");
-  const SceneFiles files = find_scene(folder.path());
+  const SceneFiles files = find_scene(folder.path(), builtins());
   CHECK(files.disparities == Interval{0, 70});
   const Scene scene = load_scene(files);
   CHECK(scene.pair.size() == cv::Size(6, 4));
@@ -42,23 +44,23 @@ TEST_CASE("a scene folder: images, [0, ndisp) of calib.txt, and what was read") 
 TEST_CASE("calib.txt may be missing or without ndisp, but a faulty ndisp is located") {
   const TemporaryFolder folder;
   write_pair(folder);
-  CHECK_FALSE(find_scene(folder.path()).disparities.has_value());
+  CHECK_FALSE(find_scene(folder.path(), builtins()).disparities.has_value());
   folder.write("calib.txt", "baseline=60\nwidth=941\n");
-  CHECK_FALSE(find_scene(folder.path()).disparities.has_value());
+  CHECK_FALSE(find_scene(folder.path(), builtins()).disparities.has_value());
   for (const char* value : {"", "0", "-4", "12px", "99999999999", "1e9"}) {
     CAPTURE(value);
     folder.write("calib.txt", std::string("width=6\nndisp=") + value + "\n");
-    CHECK(contains(error_of([&] { find_scene(folder.path()); }), "calib.txt:2: ndisp"));
+    CHECK(contains(error_of([&] { find_scene(folder.path(), builtins()); }), "calib.txt:2: ndisp"));
   }
 }
 
 TEST_CASE("folders without a pair are errors with a remedy") {
   const TemporaryFolder folder;
-  CHECK(contains(error_of([&] { find_scene(folder / "none"); }), "no such folder"));
-  CHECK(contains(error_of([&] { find_scene(folder.path()); }), "has no im0.png"));
+  CHECK(contains(error_of([&] { find_scene(folder / "none", builtins()); }), "no such folder"));
+  CHECK(contains(error_of([&] { find_scene(folder.path(), builtins()); }), "im0 and im1"));
   write_png(folder / "im0.png", cv::Mat1b(4, 6, 10));
-  CHECK(contains(error_of([&] { find_scene(folder.path()); }), "has no im1.png"));
-  CHECK(contains(error_of([&] { find_scene(folder / "im0.png"); }), "is a file"));
+  CHECK(contains(error_of([&] { find_scene(folder.path(), builtins()); }), "has no im1.png"));
+  CHECK(contains(error_of([&] { find_scene(folder / "im0.png", builtins()); }), "is a file"));
 }
 
 TEST_CASE("range maps: [floor(min), ceil(max)] with both ends, empty where not finite or crossed") {

@@ -38,7 +38,8 @@ struct TruthFiles {
 
 /// A scene of a data set.
 struct SceneFiles {
-  std::string name;  ///< "Motorcycle", unique in its data set
+  std::string name;     ///< "Motorcycle", unique in its data set
+  std::string dataset;  ///< plugin that knows its layout; filled in by find_scenes
   PairFiles images;
   TruthFiles truth;
   std::string calibration_file;  ///< empty if there is none

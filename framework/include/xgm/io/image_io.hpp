@@ -32,7 +32,8 @@ struct ReadPair {
 XGM_API ReadPair read_pair(const PairFiles& files);
 
 /// Reads ground truth: PFM (not finite = none) or an 8- or 16-bit PNG/PGM whose value / divisor is
-/// the disparity in pixels, 0 = none. NaN where there is none. Throws Error.
+/// the disparity in pixels, 0 = none. NaN where there is none. A negative divisor turns the signs:
+/// maps of the right view are often stored as positive numbers. Throws Error.
 XGM_API cv::Mat1f read_disparities(const std::string& file, double divisor = 1);
 
 /// Reads a mask of one channel, or the largest of several: 8-bit values as they are (benchmarks

@@ -13,6 +13,7 @@
 #include "xgm/data/scene_files.hpp"
 #include "xgm/io/file.hpp"
 #include "xgm/io/image_io.hpp"
+#include "xgm/plugin/registry.hpp"
 
 namespace xgm {
 
@@ -32,12 +33,32 @@ struct Scene {
   std::vector<std::string> notes;  ///< what a reader should know about the images
 };
 
-/// A Middlebury or ETH3D folder: im0 and im1 (png, ppm, pgm, pfm, tif, tiff, jpg, jpeg or bmp) and,
-/// if there is one, calib.txt, of which only ndisp is used. Throws Error.
-XGM_API SceneFiles find_scene(const std::string& folder);
+/// The scenes in `folder`, sorted by name; opens no image. Which data set it is:
+/// - `dataset`, if it is given: a plugin's name, YAML of one ("{type: folder, left: ...}"), or a
+///   file of such YAML;
+/// - else dataset.yaml in the folder;
+/// - else the one that recognises the folder, of all that need no parameters.
+/// Throws Error if none or several do, or if what is given is faulty (with file, line and remedy).
+XGM_API std::vector<SceneFiles> find_scenes(const std::string& folder, const Registry& registry,
+                                            const std::string& dataset = {});
+
+/// The scene called `name`; without a name the only one, or the one that is called as the folder
+/// is. Throws Error that lists the names there are.
+XGM_API SceneFiles find_scene(const std::string& folder, const Registry& registry,
+                              const std::string& name = {}, const std::string& dataset = {});
 
 /// Reads the images. Throws Error.
 XGM_API Scene load_scene(const SceneFiles& files);
+
+/// Reads what is known to be true of a scene whose images are of this size; empty maps where there
+/// is no file. non_occluded is the mask, else made from `visible`, else from both views by
+/// cross_check. Throws Error, also if a file is of another size.
+XGM_API GroundTruth load_truth(const TruthFiles& files, cv::Size size);
+
+/// Which left pixels are seen in the right image, by the truth of both views: 255 where the truth
+/// of the right view at the pixel pointed at is within 1 px of this pixel's, 128 where not, 0 where
+/// there is no truth. `reverse` has the signs of a reverse map.
+XGM_API cv::Mat1b cross_check(const cv::Mat1f& disparity, const cv::Mat1f& reverse);
 
 /// A small generated pair with known disparities, for a first run without data.
 XGM_API Scene sample_scene();

@@ -19,6 +19,9 @@ class XGM_API Dataset : public Stage {
   /// hold scenes in the data set's own layout. None if it is laid out otherwise. Opens no image.
   /// Throws Error, naming the file and the remedy, if it is such a folder but cannot be used.
   virtual std::vector<SceneFiles> scenes(const std::string& folder) const = 0;
+
+  /// What a scene of this layout has, in a few words for messages: "im0 and im1".
+  virtual std::string layout() const = 0;
 };
 
 }  // namespace xgm

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is true of a scene, read from its files.
+#include <cmath>
+
+#include "io/raster.hpp"
+#include "xgm/base/error.hpp"
+#include "xgm/io/scene.hpp"
+
+namespace xgm {
+namespace {
+
+constexpr std::uint8_t kSeen = 255, kHidden = 128;
+
+template <class Map>
+Map of_size(Map map, const std::string& file, cv::Size size) {
+  if (map.size() == size) return map;
+  throw Error(file + ": is " + size_text(map.size()) + " pixels but the images are " +
+              size_text(size) + "; truth and masks have the size of the images");
+}
+
+cv::Mat1f read_truth(const DisparityFile& from, cv::Size size) {
+  if (from.file.empty()) return {};
+  return of_size(read_disparities(from.file, from.divisor), from.file, size);
+}
+
+cv::Mat1b read_mask_of(const std::string& file, cv::Size size) {
+  return file.empty() ? cv::Mat1b() : of_size(read_mask(file), file, size);
+}
+
+/// Pixels whose disparity is also in the map of those that are not hidden.
+cv::Mat1b mask_of_visible(const cv::Mat1f& disparity, const cv::Mat1f& visible) {
+  cv::Mat1b mask(disparity.size(), 0);
+  for (int y = 0; y < mask.rows; ++y) {
+    for (int x = 0; x < mask.cols; ++x) {
+      if (!std::isfinite(disparity(y, x))) continue;
+      mask(y, x) = std::isfinite(visible(y, x)) ? kSeen : kHidden;
+    }
+  }
+  return mask;
+}
+
+}  // namespace
+
+cv::Mat1b cross_check(const cv::Mat1f& disparity, const cv::Mat1f& reverse) {
+  constexpr float kAgree = 1;  // px
+  cv::Mat1b mask(disparity.size(), 0);
+  for (int y = 0; y < mask.rows; ++y) {
+    for (int x = 0; x < mask.cols; ++x) {
+      const float d = disparity(y, x);
+      if (!std::isfinite(d)) continue;
+      const float column = std::round(static_cast<float>(x) - d);
+      const bool inside = column >= 0 && column < static_cast<float>(reverse.cols);
+      const bool agrees =
+          inside && std::abs(reverse(y, static_cast<int>(column)) + d) <= kAgree;  // NaN: false
+      mask(y, x) = agrees ? kSeen : kHidden;
+    }
+  }
+  return mask;
+}
+
+GroundTruth load_truth(const TruthFiles& files, cv::Size size) {
+  GroundTruth truth;
+  truth.disparity = read_truth(files.disparity, size);
+  truth.reverse = read_truth(files.reverse, size);
+  truth.objects = read_mask_of(files.objects, size);
+  truth.non_occluded = read_mask_of(files.non_occluded, size);
+  if (!truth.non_occluded.empty() || truth.disparity.empty()) return truth;
+  const cv::Mat1f visible = read_truth(files.visible, size);
+  if (!visible.empty()) {
+    truth.non_occluded = mask_of_visible(truth.disparity, visible);
+  } else if (!truth.reverse.empty()) {
+    truth.non_occluded = cross_check(truth.disparity, truth.reverse);
+  }
+  return truth;
+}
+
+}  // namespace xgm

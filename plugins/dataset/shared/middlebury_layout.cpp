@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugins/dataset/shared/middlebury_layout.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <regex>
+
+#include "xgm/base/error.hpp"
+
+namespace xgm::dataset {
+namespace {
+
+/// Whether both images are there.
+bool has_pair(const Listing& folder) {
+  const bool left = !folder.image("im0").empty();
+  const bool right = !folder.image("im1").empty();
+  if (left == right) return left;
+  throw Error(folder.path() + ": has no " + (left ? "im1" : "im0") +
+              ".png (or .ppm, .tif, .jpg, ...) beside " + (left ? "im0" : "im1") +
+              "; add it, or give the images with --left and --right");
+}
+
+std::string first_file(const Listing& folder, const char* name, const char* other) {
+  const std::string file = folder.file(name);
+  return file.empty() ? folder.file(other) : file;
+}
+
+}  // namespace
+
+std::vector<Listing> pair_folders(const std::string& folder) {
+  const Listing top(folder);
+  if (has_pair(top)) return {top};
+  std::vector<Listing> found;
+  for (const std::string& name : top.folders()) {
+    const Listing inner(top.folder(name));
+    if (has_pair(inner)) found.push_back(inner);
+  }
+  return found;
+}
+
+bool is_eth3d_name(const std::string& name) {
+  static const std::regex pattern("[a-z_]+_[0-9]+[ls]");
+  return std::regex_match(name, pattern);
+}
+
+bool are_eth3d(const std::vector<Listing>& scenes) {
+  return !scenes.empty() && std::all_of(scenes.begin(), scenes.end(), [](const Listing& scene) {
+    return is_eth3d_name(name_of(scene.path()));
+  });
+}
+
+void add_truth(SceneFiles& scene, const Listing& folder) {
+  TruthFiles& truth = scene.truth;
+  truth.disparity.file = first_file(folder, "disp0GT.pfm", "disp0.pfm");
+  truth.reverse = {first_file(folder, "disp1GT.pfm", "disp1.pfm"), -1};
+  truth.non_occluded = folder.file("mask0nocc.png");
+  if (truth.disparity.file.empty()) {
+    scene.missing.push_back("disp0GT.pfm (2014 set: disp0.pfm): true disparities to judge by");
+  } else if (truth.non_occluded.empty() && truth.reverse.file.empty()) {
+    scene.missing.push_back(
+        "mask0nocc.png, or disp1GT.pfm (2014 set: disp1.pfm) to derive it from: which pixels are "
+        "not occluded");
+  }
+}
+
+}  // namespace xgm::dataset

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// The layout that Middlebury's evaluation version 3 and ETH3D share: one folder per scene with
+// im0, im1 and calib.txt. What tells them apart is the names of the scenes.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "plugins/dataset/shared/listing.hpp"
+#include "xgm/data/scene_files.hpp"
+
+namespace xgm::dataset {
+
+/// The folders with im0 and im1: `folder` itself, or those directly in it. Throws Error if one has
+/// an im0 but no im1 or the other way round.
+std::vector<Listing> pair_folders(const std::string& folder);
+
+/// Whether this is a name as ETH3D's two-view scenes have it: "delivery_area_1l", "playground_3s".
+bool is_eth3d_name(const std::string& name);
+/// Whether there are scenes, and all of them have such names.
+bool are_eth3d(const std::vector<Listing>& scenes);
+
+/// Truth of both views and the mask, by the names of the evaluation ("disp0GT.pfm") or of the 2014
+/// set ("disp0.pfm"). What is not there goes to scene.missing.
+void add_truth(SceneFiles& scene, const Listing& folder);
+
+}  // namespace xgm::dataset
