@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,7 +37,8 @@ struct BenchPipeline {
   std::string name;  ///< "sgm8+directions=16"
   std::string file;
   std::vector<Override> overrides;
-  std::string resolved;  ///< Pipeline::resolved_json()
+  std::string resolved;                   ///< Pipeline::resolved_json()
+  std::optional<Interval> disparities{};  ///< Pipeline::disparities()
 };
 
 struct BenchScene {
@@ -84,11 +86,11 @@ enum class CellState { not_run, failed, done };
 /// One pipeline on one scene.
 struct BenchCell {
   CellState state = CellState::not_run;
-  std::string failure;              ///< why it failed
-  double seconds = 0;               ///< of matching
-  double peak_bytes = 0;            ///< of the run's process
-  double evaluations = 0;           ///< width * height * disparities searched
-  double density = 0;               ///< share of all pixels that have a disparity, 0 to 1
+  std::string failure;                      ///< why it failed
+  double seconds = 0;                       ///< of matching
+  double peak_bytes = 0;                    ///< of the run's process
+  double evaluations = 0;                   ///< width * height * disparities searched
+  double density = 0;                       ///< share of all pixels that have a disparity, 0 to 1
   std::vector<RegionEvaluation> regions{};  ///< empty without truth
 };
 

@@ -65,7 +65,8 @@ std::vector<std::string> sets(const BenchResult& result) {
 }
 
 BenchAverage average(const BenchResult& result, std::size_t pipeline, const std::string& set) {
-  BenchAverage average{.comparable = true};
+  BenchAverage average;
+  average.comparable = true;
   BenchCell& figures = average.figures;
   MeanEvaluation mean;
   bool has_truth = false;

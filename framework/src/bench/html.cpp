@@ -9,19 +9,31 @@ std::string html_text(const std::string& text) {
   std::string out;
   for (const char c : text) {
     switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      case '\'': out += "&#39;"; break;
-      default: out += c;
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      case '\'':
+        out += "&#39;";
+        break;
+      default:
+        out += c;
     }
   }
   return out;
 }
 
 std::string render(const Table& table) {
-  std::string out = "<h2>" + html_text(table.title) + "</h2>\n<div class=\"table\"><table>\n<thead><tr>";
+  std::string out =
+      "<h2>" + html_text(table.title) + "</h2>\n<div class=\"table\"><table>\n<thead><tr>";
   for (const std::string& head : table.header) {
     out += "<th scope=\"col\">" + html_text(head) + "</th>";
   }
@@ -37,7 +49,8 @@ std::string render(const Table& table) {
     out += "</tr>\n";
   }
   out += "</tbody></table></div>\n";
-  for (const std::string& note : table.notes) out += "<p class=\"note\">" + html_text(note) + "</p>\n";
+  for (const std::string& note : table.notes)
+    out += "<p class=\"note\">" + html_text(note) + "</p>\n";
   return out;
 }
 
@@ -52,6 +65,22 @@ std::string bench_tables_html(const BenchResult& result) {
   for (const std::string& set : sets(result)) out += render(average_table(result, set));
   for (const std::string& set : sets(result)) out += render(scene_table(result, set));
   return out;
+}
+
+// Tables scroll within themselves on narrow screens.
+constexpr const char* kStyle =
+    "body{font:15px/1.5 system-ui,sans-serif;margin:1.5em;color:#111;background:#fff}"
+    ".table{overflow-x:auto}table{border-collapse:collapse}"
+    "th,td{padding:.2em .6em;border-bottom:1px solid #ccc;white-space:nowrap}"
+    "td,thead th{text-align:right}tbody th{text-align:left;font-weight:normal}"
+    "thead th:nth-child(-n+2){text-align:left}tbody tr:hover{background:#eef}";
+
+std::string bench_html(const BenchResult& result) {
+  return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
+         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"
+         "<title>Bench</title><style>" +
+         std::string(kStyle) + "</style></head>\n<body>\n<h1>Bench</h1>\n" +
+         bench_tables_html(result) + "</body></html>\n";
 }
 
 }  // namespace xgm

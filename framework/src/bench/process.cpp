@@ -7,7 +7,9 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cerrno>
 #include <cstring>
+#include <iterator>
 #include <thread>
 
 #include "xgm/base/error.hpp"
@@ -18,7 +20,7 @@ extern char** environ;  // POSIX has no header for it
 namespace xgm {
 namespace {
 
-volatile std::sig_atomic_t noted_signal = 0;
+volatile sig_atomic_t noted_signal = 0;
 constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP};
 struct sigaction former_actions[std::size(kSignals)];
 

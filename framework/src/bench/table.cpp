@@ -143,9 +143,8 @@ void note_regions(Table& table, const BenchResult& result, const std::vector<std
     }
   }
   if (!without_truth.empty()) {
-    table.notes.push_back("no truth" +
-                          (result.rules.region.empty() ? "" : " of this region") + " for: " +
-                          without_truth);
+    const std::string what = result.rules.region.empty() ? "no truth" : "no such region";
+    table.notes.push_back(what + " for: " + without_truth);
   }
   if (!without_region.empty()) {
     table.notes.push_back("judged on hidden pixels too, as no mask tells them apart: " +

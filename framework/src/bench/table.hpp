@@ -19,8 +19,8 @@ struct Table {
   std::string title;
   std::size_t names = 1;
   std::vector<std::string> header;
-  std::vector<std::vector<TableCell>> rows;
-  std::vector<std::string> notes;  ///< what went wrong in it
+  std::vector<std::vector<TableCell>> rows{};
+  std::vector<std::string> notes{};  ///< what went wrong in it
 };
 
 inline constexpr const char* kNoFigure = "–";
