@@ -17,6 +17,7 @@ const std::map<std::string, std::string>& configurations() {
   static const std::map<std::string, std::string> table{
       {"cost/weighted_sum",
        "{type: weighted_sum, costs: [census, absolute_difference], weights: [1, 1]}"},
+      {"dataset/folder", "{type: folder, left: '{scene}/l.png', right: '{scene}/r.png'}"},
       {"matcher/semi_global", semi_global},
       {"matcher/left_right", "{type: left_right, matcher: " + semi_global + "}"},
       {"matcher/pyramid",
@@ -63,6 +64,7 @@ TEST_CASE("contract: every selection plugin") { check_all("selection"); }
 TEST_CASE("contract: every refinement plugin") { check_all("refinement"); }
 TEST_CASE("contract: every filter plugin") { check_all("filter"); }
 TEST_CASE("contract: every consistency plugin") { check_all("consistency"); }
+TEST_CASE("contract: every dataset plugin") { check_all("dataset"); }
 TEST_CASE("contract: every search_range plugin") { check_all("search_range"); }
 
 TEST_CASE("contract: no kind is left out") { CHECK(Registry::kinds().size() == 11); }

@@ -48,8 +48,16 @@ std::string places(const std::string& kind) {
 std::string page(const std::string& kind, const std::string& text) {
   const std::string article = kind.front() == 'a' ? "An " : "A ";
   std::string page = kNote + ("\n# Kind `" + kind + "`\n\n");
-  page += article + kind + " stage " + text + ".\n\n";
-  page += "In a pipeline: " + places(kind) + ".\n\n";
+  if (kind == Dataset::kKind) {
+    page += "A data set " + text + ".\n\n";
+    page +=
+        "It is no stage of a pipeline. It recognises its folders by itself, or is named with "
+        "`--dataset`, or in a file `dataset.yaml` beside the data: [Data "
+        "sets](../data_sets.md).\n\n";
+  } else {
+    page += article + kind + " stage " + text + ".\n\n";
+    page += "In a pipeline: " + places(kind) + ".\n\n";
+  }
   page += "In C++: [`xgm/stage/" + kind + ".hpp`](../../framework/include/xgm/stage/" + kind +
           ".hpp).\n\n";
   for (const PluginInfo* plugin : builtins().plugins(kind)) page += describe_markdown(*plugin);

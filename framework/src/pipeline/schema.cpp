@@ -6,6 +6,7 @@
 #include "config/fields.hpp"
 #include "pipeline/graph.hpp"
 #include "xgm/pipeline.hpp"
+#include "xgm/stage/dataset.hpp"
 
 namespace xgm {
 namespace {
@@ -84,8 +85,9 @@ std::string pipeline_schema(const Registry& registry) {
   Json schema{{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", "xgm pipeline"}};
   schema.update(object(pipeline_parameters(), Json::object(), Json::array()));
   Json definitions = Json::object();
-  for (const auto& [kind, text] : Registry::kinds())
-    definitions[kind] = stage_schema(kind, registry);
+  for (const auto& [kind, text] : Registry::kinds()) {
+    if (kind != Dataset::kKind) definitions[kind] = stage_schema(kind, registry);
+  }
   schema["definitions"] = std::move(definitions);
   return schema.dump(2);
 }

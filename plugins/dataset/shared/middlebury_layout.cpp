@@ -2,9 +2,9 @@
 #include "plugins/dataset/shared/middlebury_layout.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <regex>
 
+#include "plugins/dataset/shared/folders.hpp"
 #include "xgm/base/error.hpp"
 
 namespace xgm::dataset {
@@ -12,6 +12,7 @@ namespace {
 
 /// Whether both images are there.
 bool has_pair(const Listing& folder) {
+  if (is_middlebury_2001(folder)) return false;
   const bool left = !folder.image("im0").empty();
   const bool right = !folder.image("im1").empty();
   if (left == right) return left;
@@ -28,14 +29,17 @@ std::string first_file(const Listing& folder, const char* name, const char* othe
 }  // namespace
 
 std::vector<Listing> pair_folders(const std::string& folder) {
-  const Listing top(folder);
-  if (has_pair(top)) return {top};
-  std::vector<Listing> found;
-  for (const std::string& name : top.folders()) {
-    const Listing inner(top.folder(name));
-    if (has_pair(inner)) found.push_back(inner);
-  }
-  return found;
+  return scene_folders(folder, has_pair);
+}
+
+bool is_tsukuba(const Listing& folder) {
+  return !folder.image("scene1.row3.col3").empty() && !folder.image("scene1.row3.col4").empty();
+}
+
+bool is_middlebury_2001(const Listing& folder) {
+  const auto has = [&](const char* stem) { return !folder.image(stem).empty(); };
+  const bool is_map = has("im0") && has("im1") && !folder.file("disp0.pgm").empty();
+  return (has("im2") && has("im6")) || is_map || is_tsukuba(folder);
 }
 
 bool is_eth3d_name(const std::string& name) {

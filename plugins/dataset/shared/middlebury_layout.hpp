@@ -11,9 +11,14 @@
 
 namespace xgm::dataset {
 
-/// The folders with im0 and im1: `folder` itself, or those directly in it. Throws Error if one has
-/// an im0 but no im1 or the other way round.
+/// The folders with im0 and im1 that are not of 2001: `folder` itself, or those directly in it.
+/// Throws Error if one has an im0 but no im1 or the other way round.
 std::vector<Listing> pair_folders(const std::string& folder);
+
+/// Middlebury's scenes of 2001 and 2003, which hold im0 and im1, too, but are not to be matched by
+/// them: the pair is im2 and im6, or else there is 8-bit truth (map), or it is tsukuba.
+bool is_middlebury_2001(const Listing& folder);
+bool is_tsukuba(const Listing& folder);
 
 /// Whether this is a name as ETH3D's two-view scenes have it: "delivery_area_1l", "playground_3s".
 bool is_eth3d_name(const std::string& name);

@@ -9,6 +9,7 @@
 #include "xgm/stage/aggregation.hpp"
 #include "xgm/stage/consistency.hpp"
 #include "xgm/stage/cost.hpp"
+#include "xgm/stage/dataset.hpp"
 #include "xgm/stage/filter.hpp"
 #include "xgm/stage/matcher.hpp"
 #include "xgm/stage/penalty.hpp"
@@ -67,6 +68,10 @@ XGM_API Violations check_consistency(const Consistency& stage);
 /// Has the size of the limits; leaves something to search wherever the limits do; the range around
 /// a flat coarse map holds twice its disparity.
 XGM_API Violations check_search_range(const SearchRange& stage);
+
+/// Finds no scene in an empty folder, nor in one with other things; an Error that names the path
+/// for one that is not there and for a file; says what it looks for.
+XGM_API Violations check_dataset(const Dataset& stage);
 
 /// The check of the kind that the stage is of.
 XGM_API Violations check_stage(const Stage& stage);

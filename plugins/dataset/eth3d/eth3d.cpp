@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// ETH3D's low-resolution two-view scenes. Laid out as Middlebury's; known by the scenes' names.
+#include "plugins/dataset/shared/calib_txt.hpp"
+#include "plugins/dataset/shared/middlebury_layout.hpp"
+#include "xgm/plugin.hpp"
+
+namespace {
+
+using namespace xgm;
+using dataset::Listing;
+
+class Eth3d final : public Dataset {
+ public:
+  struct Parameters {};
+  static void describe(Parameters&, ParameterSet&) {}
+  explicit Eth3d(Parameters) {}
+
+  std::string layout() const override {
+    return "im0 and im1 in folders called like playground_1l or forest_2s";
+  }
+
+  std::vector<SceneFiles> scenes(const std::string& folder) const override {
+    const std::vector<Listing> folders = dataset::pair_folders(folder);
+    std::vector<SceneFiles> found;
+    if (!dataset::are_eth3d(folders)) return found;
+    for (const Listing& inner : folders) {
+      SceneFiles& scene = found.emplace_back();
+      scene.name = dataset::name_of(inner.path());
+      scene.images.left = inner.image("im0");
+      scene.images.right = inner.image("im1");
+      dataset::add_calib_txt(scene, inner.file("calib.txt"));
+      dataset::add_truth(scene, inner);
+    }
+    return found;
+  }
+};
+
+}  // namespace
+
+XGM_PLUGIN(registry) {
+  registry.add<Eth3d>(
+      "eth3d", "ETH3D low-resolution two-view scenes, images and truth unpacked into one folder.",
+      "Schoeps et al., A multi-view stereo benchmark with high-resolution images and multi-camera "
+      "videos, CVPR 2017");
+}

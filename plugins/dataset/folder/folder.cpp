@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+// People's own data, described by patterns of paths.
+#include <cmath>
+#include <filesystem>
+
+#include "plugins/dataset/folder/pattern.hpp"
+#include "plugins/dataset/shared/calib_txt.hpp"
+#include "plugins/dataset/shared/listing.hpp"
+#include "xgm/plugin.hpp"
+
+namespace {
+
+using namespace xgm;
+
+constexpr double kMost = 1e6;
+constexpr double kLeast = 1e-6;
+
+struct FolderParameters {
+  std::string left, right, left_mask, right_mask;
+  std::string truth, reverse_truth, visible_truth, non_occluded, objects;
+  double truth_divisor = 1, reverse_truth_divisor = -1;
+  std::string calibration;
+  std::vector<double> disparities;
+  double weight = 1, scale = 1;
+};
+
+bool is_file(const std::string& file) {
+  std::error_code unusable;
+  return std::filesystem::is_regular_file(file, unusable);
+}
+
+void describe_images(FolderParameters& p, ParameterSet& set) {
+  set.add("left", p.left,
+          "Left images: a path below the data folder, '{scene}' standing for the name of a scene, "
+          "for example '{scene}/left.tif' or 'left/{scene}.png'; without '{scene}' the folder is "
+          "one scene.");
+  set.add("right", p.right, "Right images, likewise.");
+  set.add("left_mask", p.left_mask, "Masks that are not zero where a left image may be used.");
+  set.add("right_mask", p.right_mask, "The same of the right images.");
+}
+
+void describe_truth(FolderParameters& p, ParameterSet& set) {
+  set.add("truth", p.truth,
+          "True disparities of the left images: PFM (not finite = none), or images of 8 or 16 bit "
+          "(0 = none).");
+  set.add("truth_divisor", p.truth_divisor,
+          "What the values of truth and visible_truth are divided by to give px; negative if they "
+          "have the other sign than x_left - x_right.")
+      .range(-kMost, kMost);
+  set.add("reverse_truth", p.reverse_truth, "True disparities of the right images.");
+  set.add("reverse_truth_divisor", p.reverse_truth_divisor,
+          "What their values are divided by to give px; negative (as by default) if they are "
+          "stored as positive numbers.")
+      .range(-kMost, kMost);
+  set.add("visible_truth", p.visible_truth,
+          "The truth of the left images without pixels that are hidden in the right ones.");
+  set.add("non_occluded", p.non_occluded,
+          "Masks that are 255 where a left pixel is seen in the right image, too; without them "
+          "they are made from visible_truth or reverse_truth.");
+  set.add("objects", p.objects, "Maps that are not zero on moving objects, judged on their own.");
+}
+
+class Folder final : public Dataset {
+ public:
+  using Parameters = FolderParameters;
+  static void describe(Parameters& p, ParameterSet& set) {
+    describe_images(p, set);
+    describe_truth(p, set);
+    set.add("calibration", p.calibration, "Cameras and ndisp, in Middlebury's format (calib.txt).");
+    set.add("disparities", p.disparities,
+            "Range to search [first, last], both included; without it ndisp of the calibration.")
+        .unit("px")
+        .range(-kMost, kMost);
+    set.add("weight", p.weight, "Weight of each scene in averages.").range(kLeast, kMost);
+    set.add("scale", p.scale,
+            "One pixel is so many of the resolution that errors are to be judged in.")
+        .range(kLeast, kMost);
+    const auto given = "must be given: a path such as '{scene}/left.png'";
+    set.rule({"left"}, given, [&p] { return !p.left.empty(); });
+    set.rule({"right"}, given, [&p] { return !p.right.empty(); });
+    set.rule({"right", "left"}, "must have '{scene}' if left has it, and only then", [&p] {
+      return p.left.empty() || p.right.empty() ||
+             folder::has_gap(p.left) == folder::has_gap(p.right);
+    });
+    set.rule({"truth_divisor"}, "must not be 0", [&p] { return p.truth_divisor != 0; });
+    set.rule({"reverse_truth_divisor"}, "must not be 0",
+             [&p] { return p.reverse_truth_divisor != 0; });
+    set.rule({"disparities"}, "must be two whole numbers, the first not above the second", [&p] {
+      const auto& d = p.disparities;
+      const auto whole = [](double v) { return v == std::floor(v); };
+      return d.empty() || (d.size() == 2 && whole(d[0]) && whole(d[1]) && d[0] <= d[1]);
+    });
+  }
+  explicit Folder(Parameters p) : p_(std::move(p)) {}
+
+  std::string layout() const override { return p_.left + " and " + p_.right; }
+
+  std::vector<SceneFiles> scenes(const std::string& folder) const override {
+    const dataset::Listing readable(folder);
+    std::vector<SceneFiles> found;
+    if (!folder::has_gap(p_.left)) {
+      if (is_file(folder::fill(p_.left, "", folder))) {
+        found.push_back(scene(folder, dataset::name_of(folder)));
+      }
+      return found;
+    }
+    for (const std::string& name : folder::names_that_fit(p_.left, folder)) {
+      if (is_file(folder::fill(p_.left, name, folder))) found.push_back(scene(folder, name));
+    }
+    return found;
+  }
+
+ private:
+  SceneFiles scene(const std::string& top, const std::string& name) const {
+    SceneFiles scene;
+    scene.name = name;
+    scene.weight = p_.weight;
+    scene.scale = p_.scale;
+    const auto path = [&](const std::string& pattern) { return folder::fill(pattern, name, top); };
+    const auto optional = [&](const std::string& pattern, const char* what) {
+      const std::string file = path(pattern);
+      if (file.empty() || is_file(file)) return file;
+      scene.missing.push_back(file + ": " + what);
+      return std::string();
+    };
+    scene.images = {path(p_.left), path(p_.right), path(p_.left_mask), path(p_.right_mask)};
+    require(scene);
+    scene.truth.disparity = {optional(p_.truth, "true disparities to judge by"), p_.truth_divisor};
+    scene.truth.reverse = {optional(p_.reverse_truth, "true disparities of the right view"),
+                           p_.reverse_truth_divisor};
+    scene.truth.visible = {optional(p_.visible_truth, "true disparities of pixels not hidden"),
+                           p_.truth_divisor};
+    scene.truth.non_occluded = optional(p_.non_occluded, "which pixels are not occluded");
+    scene.truth.objects = optional(p_.objects, "which pixels are of moving objects");
+    if (!p_.calibration.empty()) {
+      dataset::add_calib_txt(scene, optional(p_.calibration, "the cameras"));
+    }
+    if (!p_.disparities.empty()) {
+      scene.disparities =
+          Interval{static_cast<int>(p_.disparities[0]), static_cast<int>(p_.disparities[1]) + 1};
+    }
+    return scene;
+  }
+
+  /// Images and their masks decide what is matched: a gap there is no reason to go on.
+  static void require(const SceneFiles& scene) {
+    for (const std::string& file :
+         {scene.images.right, scene.images.left_mask, scene.images.right_mask}) {
+      if (file.empty() || is_file(file)) continue;
+      throw Error(file + ": no such file, but there is " + scene.images.left +
+                  "; add it, or correct the pattern in the description of the data set");
+    }
+  }
+
+  Parameters p_;
+};
+
+}  // namespace
+
+XGM_PLUGIN(registry) {
+  registry.add<Folder>("folder", "Data of your own, described by patterns of paths.");
+}

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+// KITTI's stereo benchmarks of 2012 and 2015: one folder per kind of file, one file per scene.
+#include <optional>
+
+#include "plugins/dataset/kitti/projection.hpp"
+#include "plugins/dataset/shared/listing.hpp"
+#include "xgm/plugin.hpp"
+
+namespace {
+
+using namespace xgm;
+using dataset::Listing;
+
+enum class Colours { any, grey, colour };
+
+/// Where a year's files lie.
+struct Layout {
+  const char* left;
+  const char* right;
+  int left_camera, right_camera;
+  const char* occluded;  // truth, hidden pixels included
+  const char* visible;   // truth without them
+  const char* objects;   // nullptr: the year has none
+  const char* calibration;
+  Colours colours;
+};
+
+constexpr Layout kLayouts[] = {
+    {"image_2", "image_3", 2, 3, "disp_occ_0", "disp_noc_0", "obj_map", "calib_cam_to_cam",
+     Colours::colour},
+    {"image_0", "image_1", 0, 1, "disp_occ", "disp_noc", nullptr, "calib", Colours::grey},
+    {"colored_0", "colored_1", 2, 3, "disp_occ", "disp_noc", nullptr, "calib", Colours::colour},
+};
+
+constexpr const char* kFrame = "_10.png";  // the frame of each sequence that has truth
+
+bool has(const Listing& folder, const Layout& layout) {
+  return !folder.folder(layout.left).empty() && !folder.folder(layout.right).empty();
+}
+
+std::optional<Layout> layout_of(const Listing& folder, Colours wanted) {
+  for (const Layout& layout : kLayouts) {
+    const bool fits = wanted == Colours::any || wanted == layout.colours;
+    if (fits && has(folder, layout)) return layout;
+  }
+  return std::nullopt;
+}
+
+/// A folder's files; none if there is no such folder.
+class Part {
+ public:
+  Part(const Listing& top, const char* name) {
+    const std::string path = name == nullptr ? "" : top.folder(name);
+    if (!path.empty()) listing_.emplace(path);
+  }
+  std::string file(const std::string& name) const { return listing_ ? listing_->file(name) : ""; }
+
+ private:
+  std::optional<Listing> listing_;
+};
+
+class Kitti final : public Dataset {
+ public:
+  struct Parameters {
+    Colours colours = Colours::any;
+  };
+  static void describe(Parameters& p, ParameterSet& set) {
+    set.add_choice("images", p.colours,
+                   "Which cameras, where there are both kinds (2012); any takes the grey ones.",
+                   {{"any", Colours::any}, {"grey", Colours::grey}, {"colour", Colours::colour}});
+  }
+  explicit Kitti(Parameters p) : p_(p) {}
+
+  std::string layout() const override {
+    return "image_2 and image_3, image_0 and image_1, or colored_0 and colored_1 with frames "
+           "called *_10.png";
+  }
+
+  std::vector<SceneFiles> scenes(const std::string& folder) const override {
+    Listing top(folder);
+    std::optional<Layout> layout = layout_of(top, p_.colours);
+    if (!layout && !top.folder("training").empty()) {  // the folder that both archives unpack to
+      top = Listing(top.folder("training"));
+      layout = layout_of(top, p_.colours);
+    }
+    return layout ? scenes(top, *layout) : std::vector<SceneFiles>();
+  }
+
+ private:
+  static std::vector<SceneFiles> scenes(const Listing& top, const Layout& layout) {
+    const Listing left(top.folder(layout.left)), right(top.folder(layout.right));
+    const Part occluded(top, layout.occluded), visible(top, layout.visible),
+        objects(top, layout.objects), calibration(top, layout.calibration);
+    std::vector<SceneFiles> found;
+    for (const std::string& name : left.files()) {
+      if (!name.ends_with(kFrame)) continue;
+      SceneFiles& scene = found.emplace_back();
+      scene.name = name.substr(0, name.rfind('.'));
+      scene.images.left = left.file(name);
+      scene.images.right = right.file(name);
+      if (scene.images.right.empty()) {
+        throw Error(right.path() + ": has no " + name + " to go with " + scene.images.left +
+                    "; unpack the archive again");
+      }
+      scene.truth.disparity = {occluded.file(name), kValuesPerPixel};
+      scene.truth.visible = {visible.file(name), kValuesPerPixel};
+      scene.truth.objects = objects.file(name);
+      scene.disparities = kDisparities;
+      const std::string number = name.substr(0, name.size() - std::string(kFrame).size());
+      scene.calibration_file = calibration.file(number + ".txt");
+      if (!scene.calibration_file.empty()) {
+        scene.calibration = kitti::read_calibration(scene.calibration_file, layout.left_camera,
+                                                    layout.right_camera);
+      }
+      tell_missing(scene, layout);
+    }
+    return found;
+  }
+
+  static void tell_missing(SceneFiles& scene, const Layout& layout) {
+    const auto lacks = [&](const std::string& file, const char* folder, const char* purpose) {
+      if (file.empty())
+        scene.missing.push_back("a file in " + std::string(folder) + ": " + purpose);
+    };
+    lacks(scene.truth.disparity.file, layout.occluded,
+          "true disparities to judge by (the test scenes have none)");
+    lacks(scene.truth.visible.file, layout.visible, "which pixels are not occluded");
+    if (layout.objects != nullptr) {
+      lacks(scene.truth.objects, layout.objects, "which pixels are of moving objects (foreground)");
+    }
+    lacks(scene.calibration_file, layout.calibration,
+          "the cameras, by which disparities become depths (an archive of its own)");
+  }
+
+  static constexpr double kValuesPerPixel = 256;
+  static constexpr Interval kDisparities{0, 256};  // what such a file can hold
+
+  Parameters p_;
+};
+
+}  // namespace
+
+XGM_PLUGIN(registry) {
+  registry.add<Kitti>("kitti",
+                      "KITTI stereo 2012 and 2015: the folder training or testing of the archives.",
+                      "Geiger et al., Are we ready for autonomous driving?, CVPR 2012; Menze and "
+                      "Geiger, Object scene flow for autonomous vehicles, CVPR 2015");
+}
