@@ -103,8 +103,10 @@ int run_checked(const RunOptions& options, const Pipeline& pipeline, const Plan&
 
   guard_memory(range);
   Dumper dumper((std::filesystem::path(options.output) / "dump").string(), options.dump);
-  RunObserver observer(progress, dumper);
+  LevelCollector levels;
+  RunObserver observer(progress, dumper, options.report ? &levels : nullptr);
   progress.begin("matching");
+  const Image left = scene.pair.base;
   const Stopwatch matching;
   const MatchResult result =
       pipeline.run({std::move(scene.pair), range, {}}, observer, options.threads);
@@ -125,8 +127,11 @@ int run_checked(const RunOptions& options, const Pipeline& pipeline, const Plan&
   }
   record.peak_memory_bytes = peak_memory();
   write_results(options.output, map, record);
+  if (options.report) {
+    write_report(options.output, left, scene.truth, map, levels.levels(), record);
+  }
   progress.end();
-  print_summary(options.output, record);
+  print_summary(options.output, record, options.report);
   return judge(map, record);
 }
 

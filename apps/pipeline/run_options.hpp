@@ -27,6 +27,7 @@ struct RunOptions {
   std::string truth;
   std::string truth_mask;
   double truth_scale = 1;
+  bool report = false;
   PluginOptions plugins;
 };
 

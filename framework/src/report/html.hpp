@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pieces of HTML.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "report/palette.hpp"
+
+namespace xgm::report {
+
+/// "–" for what is not finite.
+std::string number(double value, int decimals);
+std::string percent(double share);
+std::string seconds(double value);
+std::string megabytes(double bytes);
+
+using Row = std::vector<std::string>;  ///< cells, HTML already
+/// The first column names the row; numbers stand to the right in all others.
+std::string table(const Row& head, const std::vector<Row>& rows);
+
+/// A bar of the ramp with the numbers that belong to its colours. `above` stands behind the last.
+std::string ramp_legend(const Ramp& ramp, const Span& span, const std::string& above,
+                        const std::string& missing);
+/// Classes with their shares, 0 to 1, if there are any.
+std::string class_legend(const std::vector<Class>& classes, const std::vector<double>& shares);
+
+struct Picture {
+  std::string title;   ///< text
+  std::string uri;     ///< data: ...
+  std::string legend;  ///< HTML
+  std::string id{};
+};
+std::string figure(const Picture& picture);
+
+std::string details(const std::string& summary, const std::string& content);
+
+}  // namespace xgm::report
