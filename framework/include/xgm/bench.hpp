@@ -94,7 +94,7 @@ struct BenchCell {
   std::vector<RegionEvaluation> regions{};  ///< empty without truth
 };
 
-struct BenchResult {
+struct XGM_API BenchResult {
   BenchPlan plan;
   BenchRules rules;
   std::vector<BenchCell> cells;  ///< scene by scene

@@ -9,7 +9,7 @@ namespace xgm {
 namespace {
 
 /// Every figure of an evaluation; thresholds apart.
-constexpr double Evaluation::* kFigures[] = {
+constexpr double Evaluation::*kFigures[] = {
     &Evaluation::invalid, &Evaluation::average_error, &Evaluation::rms, &Evaluation::a50,
     &Evaluation::a90,     &Evaluation::a95,           &Evaluation::a99, &Evaluation::d1};
 

@@ -35,14 +35,13 @@ class Lines {
     const char* state = cell.state == CellState::done     ? "done"
                         : cell.state == CellState::failed ? "failed"
                                                           : "not run";
-    for (const std::string& text :
-         {kind, set, scene, result_.plan.pipelines[pipeline].name, std::string(state),
-          std::to_string(scenes), number(weight)}) {
+    for (const std::string& text : {kind, set, scene, result_.plan.pipelines[pipeline].name,
+                                    std::string(state), std::to_string(scenes), number(weight)}) {
       out_ += field(text) + ",";
     }
     const bool done = cell.state == CellState::done;
-    for (const double value : {cell.seconds, cell.peak_bytes,
-                               cell.evaluations / cell.seconds / 1e6, cell.density}) {
+    for (const double value :
+         {cell.seconds, cell.peak_bytes, cell.evaluations / cell.seconds / 1e6, cell.density}) {
       out_ += (done ? number(value) : "") + ",";
     }
     add_truth(cell);

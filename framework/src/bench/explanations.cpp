@@ -24,7 +24,8 @@ std::string region_text(const std::string& region) {
 
 std::vector<std::string> explanations(const BenchResult& result) {
   std::vector<std::string> texts{
-      region_text(result.rules.region), scale_text(result.rules.scale),
+      region_text(result.rules.region),
+      scale_text(result.rules.scale),
       "avg err: mean error of the pixels that have a disparity, px. invalid: pixels without one, "
       "bad: off by more than so many px, total: invalid + bad; all in percent.",
       "s: seconds of matching (" + std::to_string(result.plan.threads) +

@@ -50,8 +50,7 @@ void identify_images(std::vector<BenchScene>& scenes) {
   for (BenchScene& scene : scenes) {
     const PairFiles& files = scene.files.images;
     scene.images.clear();
-    for (const std::string& file :
-         {files.left, files.right, files.left_mask, files.right_mask}) {
+    for (const std::string& file : {files.left, files.right, files.left_mask, files.right_mask}) {
       scene.images.push_back(file.empty() ? FileIdentity{} : identify_file(file));
     }
   }
@@ -89,7 +88,8 @@ void begin_cell(const std::string& folder) {
 }
 
 void mark_done(const std::string& folder, const std::string& identity) {
-  const Json mark{{"identity", Json::parse(identity)}, {"run", json(identify_file(record(folder)))}};
+  const Json mark{{"identity", Json::parse(identity)},
+                  {"run", json(identify_file(record(folder)))}};
   write_file(marker(folder), mark.dump(2) + "\n");
 }
 

@@ -12,7 +12,9 @@ namespace xgm {
 /// Throws Error or another exception if a file cannot be read.
 BenchCell judge_cell(const std::string& folder, const BenchScene& scene, const BenchRules& rules);
 
-/// The map of a run; all that is not finite counts as without disparity.
+/// The map of a run; pixels have a disparity or are "ambiguous".
 DisparityMap read_result(const std::string& folder);
+/// Gives the pixels the statuses that the run's status.png shows, as far as it can be read.
+void read_statuses(const std::string& folder, DisparityMap& map);
 
 }  // namespace xgm

@@ -2,6 +2,7 @@
 // Names of pipelines and sets of scenes: unique, and fit for folders.
 #include "bench/names.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -17,13 +18,19 @@ std::string unique(const std::string& name, std::set<std::string>& taken) {
   return result;
 }
 
-/// The folder that gives its name to the set of a scene.
-fs::path set_folder(const BenchScene& scene) {
+fs::path plain(const fs::path& path) {
   std::error_code ignored;
-  fs::path folder = fs::weakly_canonical(scene.data_folder, ignored);
-  if (folder.filename().empty()) folder = folder.parent_path();
-  // A folder that is a scene itself: its neighbours may be given, too.
-  return folder.filename() == scene.files.name ? folder.parent_path() : folder;
+  const fs::path folder = fs::weakly_canonical(path, ignored);
+  return folder.has_filename() ? folder : folder.parent_path();
+}
+
+/// Whether the data folder holds the images of this scene, and of no other left view.
+bool is_scene_folder(const BenchScene& scene, const std::vector<BenchScene>& all) {
+  const std::string& left = scene.files.images.left;
+  return plain(fs::path(left).parent_path()) == plain(scene.data_folder) &&
+         std::all_of(all.begin(), all.end(), [&](const BenchScene& other) {
+           return other.data_folder != scene.data_folder || other.files.images.left == left;
+         });
 }
 
 }  // namespace
@@ -47,7 +54,8 @@ void name_sets(std::vector<BenchScene>& scenes) {
   std::map<fs::path, std::string> names;
   std::set<std::string> taken;
   for (BenchScene& scene : scenes) {
-    const fs::path folder = set_folder(scene);
+    fs::path folder = plain(scene.data_folder);
+    if (is_scene_folder(scene, scenes)) folder = folder.parent_path();
     if (!names.contains(folder)) {
       names[folder] = unique(folder_name(folder.filename().string()), taken);
     }

@@ -46,8 +46,8 @@ class Bench {
     tell(i, nullptr);
     const auto begin = Clock::now();
     begin_cell(folder(i));
-    const RunOutcome outcome = hooks_.run(result_.plan.pipelines[pipeline(i)],
-                                          result_.plan.scenes[scene(i)], folder(i));
+    const RunOutcome outcome =
+        hooks_.run(result_.plan.pipelines[pipeline(i)], result_.plan.scenes[scene(i)], folder(i));
     if (outcome.interrupted) {
       result_.interrupted = true;
       return;

@@ -42,8 +42,7 @@ std::string middlebury_half(const BenchScene& scene) {
 }
 
 void write_middlebury(const Upload& upload) {
-  const fs::path folder =
-      upload.folder / middlebury_half(upload.scene) / upload.scene.files.name;
+  const fs::path folder = upload.folder / middlebury_half(upload.scene) / upload.scene.files.name;
   fs::create_directories(folder);
   const std::string ending = upload.sparse ? "_s.pfm" : ".pfm";
   write_pfm((folder / ("disp0" + upload.method + ending)).string(), upload.map.disparity);
@@ -144,7 +143,8 @@ void check_submission(const BenchPlan& plan, const std::string& benchmark,
   }
   static const std::regex letters("[A-Za-z0-9._+=-]*");
   if (!std::regex_match(method, letters)) {
-    throw Error("--method " + method + ": becomes part of file names; letters, digits and ._+=- "
+    throw Error("--method " + method +
+                ": becomes part of file names; letters, digits and ._+=- "
                 "only");
   }
 }
@@ -159,13 +159,12 @@ std::vector<std::string> write_submission(const BenchResult& result, const std::
     const fs::path folder = fs::path(result.plan.output) / "submit" / name;
     fs::remove_all(folder);  // files of another method would be taken for its results
     for (std::size_t scene = 0; scene < result.plan.scenes.size(); ++scene) {
-      benchmark_called(benchmark)
-          .write({.folder = folder,
-                  .method = method.empty() ? name : method,
-                  .scene = result.plan.scenes[scene],
-                  .map = read_result(cell_folder(result.plan, i, scene)),
-                  .sparse = is_sparse(result, i),
-                  .seconds = result.at(i, scene).seconds});
+      benchmark_called(benchmark).write({.folder = folder,
+                                         .method = method.empty() ? name : method,
+                                         .scene = result.plan.scenes[scene],
+                                         .map = read_result(cell_folder(result.plan, i, scene)),
+                                         .sparse = is_sparse(result, i),
+                                         .seconds = result.at(i, scene).seconds});
     }
     commands.push_back("cd " + quoted(folder.string()) + " && zip -r ../" + name + ".zip *");
   }

@@ -91,8 +91,8 @@ void mark_best(const std::vector<std::vector<TableCell>*>& rows, std::size_t nam
       if (cell.text != kNoFigure) ranking[std::stod(cell.text)].push_back(&cell);
     }
     if (ranking.empty()) continue;
-    auto& best = columns[c].best == Best::lowest ? ranking.begin()->second
-                                                 : ranking.rbegin()->second;
+    auto& best =
+        columns[c].best == Best::lowest ? ranking.begin()->second : ranking.rbegin()->second;
     for (TableCell* cell : best) cell->best = true;
   }
 }
@@ -201,9 +201,8 @@ Table average_table(const BenchResult& result, const std::string& set) {
 
 Table scene_table(const BenchResult& result, const std::string& set) {
   const std::vector<Column> figures = columns(result);
-  Table table{.title = set + ": scenes",
-              .names = 2,
-              .header = header({"scene", "pipeline"}, figures)};
+  Table table{
+      .title = set + ": scenes", .names = 2, .header = header({"scene", "pipeline"}, figures)};
   const std::vector<std::size_t> scenes = scenes_of(result, set);
   const std::size_t pipelines = result.plan.pipelines.size();
   for (const std::size_t scene : scenes) {

@@ -235,10 +235,11 @@ TEST_CASE("the time left is told once a run has shown how long they take") {
   std::vector<double> left;
   run_bench(bench.plan, bench.rules,
             {.run = [&](const auto&... all) { return bench.fake(all...); },
-             .tell = [&](const BenchProgress& at) {
-               if (at.finished) left.push_back(at.seconds_left);
-               if (!at.finished && at.number == 1) CHECK(at.seconds_left < 0);
-             }});
+             .tell =
+                 [&](const BenchProgress& at) {
+                   if (at.finished) left.push_back(at.seconds_left);
+                   if (!at.finished && at.number == 1) CHECK(at.seconds_left < 0);
+                 }});
   REQUIRE(left.size() == 4);
   CHECK(left[0] > 0);
   CHECK(left[3] == 0);

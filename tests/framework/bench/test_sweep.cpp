@@ -17,10 +17,10 @@ std::vector<std::string> names(const std::vector<SweepPoint>& points) {
   return list;
 }
 
-BenchScene scene(const std::string& data_folder, const std::string& name) {
+BenchScene scene(const std::string& data_folder, const std::string& left) {
   BenchScene scene;
   scene.data_folder = data_folder;
-  scene.files.name = name;
+  scene.files.images.left = left;
   return scene;
 }
 
@@ -43,9 +43,8 @@ TEST_CASE("a sweep without path, value or difference is refused") {
 
 TEST_CASE("sweeps combine, the last changing fastest") {
   const auto points = sweep_points({{"m.scale", {"4", "8"}}, {"m.cost.window", {"5", "7"}}});
-  CHECK(names(points) ==
-        std::vector<std::string>{"+scale=4+window=5", "+scale=4+window=7", "+scale=8+window=5",
-                                 "+scale=8+window=7"});
+  CHECK(names(points) == std::vector<std::string>{"+scale=4+window=5", "+scale=4+window=7",
+                                                  "+scale=8+window=5", "+scale=8+window=7"});
   REQUIRE(points[2].overrides.size() == 2);
   CHECK(points[2].overrides[0].path == "m.scale");
   CHECK(points[2].overrides[0].value == "8");
@@ -82,12 +81,20 @@ TEST_CASE("names are fit for folders, and pipelines called alike are told apart"
 }
 
 TEST_CASE("scenes given one by one are in the set of the folder around them") {
-  std::vector<BenchScene> scenes{scene("/data/half/Teddy", "Teddy"),
-                                 scene("/data/half/Cones/", "Cones"), scene("/data/full", "Art"),
-                                 scene("/other/full", "Art")};
+  std::vector<BenchScene> scenes{
+      scene("/data/half/Teddy", "/data/half/Teddy/im0.png"),
+      scene("/data/half/Teddy", "/data/half/Teddy/im0.png"),  // another right image
+      scene("/data/half/Cones/", "/data/half/Cones/im0.png"),
+      scene("/data/full", "/data/full/Art/im0.png"),
+      scene("/other/full", "/other/full/Art/im0.png"),
+      scene("/data/flat", "/data/flat/left1.png"),  // scenes beside each other
+      scene("/data/flat", "/data/flat/left2.png")};
   name_sets(scenes);
   CHECK(scenes[0].set == "half");
   CHECK(scenes[1].set == "half");
-  CHECK(scenes[2].set == "full");
-  CHECK(scenes[3].set == "full-2");
+  CHECK(scenes[2].set == "half");
+  CHECK(scenes[3].set == "full");
+  CHECK(scenes[4].set == "full-2");
+  CHECK(scenes[5].set == "flat");
+  CHECK(scenes[6].set == "flat");
 }
