@@ -13,6 +13,9 @@
 #include "common.hpp"
 #include "progress.hpp"
 #include "xgm/base/parallel.hpp"
+#include "xgm/bench_process.hpp"
+#include "xgm/bench_submission.hpp"
+#include "xgm/bench_tables.hpp"
 #include "xgm/io/file.hpp"
 #include "xgm/lookup.hpp"
 

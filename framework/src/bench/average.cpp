@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "xgm/bench.hpp"
+#include "xgm/bench_tables.hpp"
 
 namespace xgm {
 namespace {

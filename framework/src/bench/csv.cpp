@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "bench/text.hpp"
-#include "xgm/bench.hpp"
+#include "xgm/bench_tables.hpp"
 
 namespace xgm {
 namespace {

@@ -17,8 +17,9 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kFormat = 1;
 
-std::string marker(const std::string& folder) { return (fs::path(folder) / "cell.json").string(); }
-std::string record(const std::string& folder) { return (fs::path(folder) / "run.json").string(); }
+std::string in(const std::string& folder, const char* name) {
+  return (fs::path(folder) / name).string();
+}
 
 Json json(const FileIdentity& identity) {
   return {{"bytes", identity.bytes}, {"fnv1a64", identity.fnv1a64}};
@@ -28,6 +29,12 @@ Json json(const std::vector<FileIdentity>& identities) {
   Json list = Json::array();
   for (const FileIdentity& identity : identities) list.push_back(json(identity));
   return list;
+}
+
+/// What a bench reads of a run.
+Json results(const std::string& folder) {
+  return {{"run.json", json(identify_file(in(folder, "run.json")))},
+          {"disparity.pfm", json(identify_file(in(folder, "disparity.pfm")))}};
 }
 
 /// The file that this function was loaded from: the library, or the program it is linked into.
@@ -72,9 +79,8 @@ std::string cell_identity(const BenchPlan& plan, std::size_t pipeline, std::size
 
 bool is_done(const std::string& folder, const std::string& identity) {
   try {
-    const Json mark = Json::parse(read_file(marker(folder)));
-    return mark.at("identity").dump() == identity &&
-           mark.at("run") == json(identify_file(record(folder)));
+    const Json mark = Json::parse(read_file(in(folder, "cell.json")));
+    return mark.at("identity").dump() == identity && mark.at("results") == results(folder);
   } catch (const std::exception&) {
     return false;  // missing, or cut short: run it again
   }
@@ -84,13 +90,12 @@ void begin_cell(const std::string& folder) {
   std::error_code failure;
   fs::create_directories(folder, failure);
   if (failure) throw Error(folder + ": cannot be made: " + failure.message());
-  for (const std::string& file : {marker(folder), record(folder)}) fs::remove(file, failure);
+  for (const char* name : {"cell.json", "run.json"}) fs::remove(in(folder, name), failure);
 }
 
 void mark_done(const std::string& folder, const std::string& identity) {
-  const Json mark{{"identity", Json::parse(identity)},
-                  {"run", json(identify_file(record(folder)))}};
-  write_file(marker(folder), mark.dump(2) + "\n");
+  const Json mark{{"identity", Json::parse(identity)}, {"results", results(folder)}};
+  write_file(in(folder, "cell.json"), mark.dump(2) + "\n");
 }
 
 }  // namespace xgm

@@ -11,7 +11,8 @@ namespace xgm {
 /// All that decides what a cell's run gives, as JSON.
 std::string cell_identity(const BenchPlan& plan, std::size_t pipeline, std::size_t scene);
 
-/// Whether mark_done was called for this folder and identity, and run.json is as it was then.
+/// Whether mark_done was called for this folder and identity, and the results are as they were
+/// then.
 bool is_done(const std::string& folder, const std::string& identity);
 
 /// Before a run: what is there tells of nothing any more. Throws Error.

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "xgm/bench.hpp"
+#include "xgm/bench_tables.hpp"
 #include "xgm/plugin/version.hpp"
 
 namespace xgm {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "xgm/bench_tables.hpp"
 #include "xgm/io/pfm.hpp"
 #include "xgm/io/scene.hpp"
 

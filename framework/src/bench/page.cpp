@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "bench/judge.hpp"
+#include "xgm/bench_tables.hpp"
 #include "xgm/io/image_io.hpp"
 #include "xgm/io/scene.hpp"
 #include "xgm/report.hpp"

@@ -13,7 +13,7 @@
 #include <thread>
 
 #include "xgm/base/error.hpp"
-#include "xgm/bench.hpp"
+#include "xgm/bench_process.hpp"
 
 extern char** environ;  // POSIX has no header for it
 

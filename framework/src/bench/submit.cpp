@@ -14,7 +14,7 @@
 #include "bench/judge.hpp"
 #include "bench/text.hpp"
 #include "xgm/base/error.hpp"
-#include "xgm/bench.hpp"
+#include "xgm/bench_submission.hpp"
 #include "xgm/io/pfm.hpp"
 
 namespace xgm {

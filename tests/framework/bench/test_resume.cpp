@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "support/temporary_folder.hpp"
-#include "xgm/bench.hpp"
+#include "xgm/bench_tables.hpp"
 #include "xgm/io/image_io.hpp"
 #include "xgm/io/pfm.hpp"
 #include "xgm/run_record.hpp"
@@ -164,6 +164,11 @@ TEST_CASE("what has changed is run again, and nothing else") {
     bench.folder.write("out/good/set/one/run.json", "{}");
     bench.run();
     CHECK(bench.runs == std::vector<std::string>{"good one"});
+  }
+  SUBCASE("a map that is missing") {
+    std::filesystem::remove(bench.folder / "out/bad/set/two/disparity.pfm");
+    bench.run();
+    CHECK(bench.runs == std::vector<std::string>{"bad two"});
   }
   SUBCASE("a mark that was cut short") {
     bench.folder.write("out/bad/set/one/cell.json", "{\"identity\": ");
