@@ -42,7 +42,10 @@ std::optional<std::vector<BenchPipeline>> load_pipelines(const BenchOptions& opt
       const std::vector<Override> all = joined(overrides, point.overrides);
       const auto named = load_named(name, registry, all);
       sound = sound && named;
-      if (!named) continue;
+      if (!named) {
+        spdlog::error("so pipeline {}{} cannot be run", name, point.name);
+        continue;
+      }
       pipelines.push_back({.name = std::filesystem::path(named->file).stem().string() + point.name,
                            .file = named->file,
                            .overrides = all,
@@ -120,17 +123,16 @@ std::vector<std::string> run_arguments(const BenchOptions& options, const BenchP
 
 /// Says where the bench stands: on the line that is rewritten, and in one that stays.
 void tell(const BenchProgress& at, Progress& progress) {
-  const std::string what =
-      fmt::format("{} of {}: {} on {}", at.number, at.total, at.pipeline, at.scene);
   const std::string left =
       at.seconds_left > 0 ? ", about " + duration_text(at.seconds_left) + " left" : "";
+  const std::string what =
+      fmt::format("run {} of {}{}: {} on {}", at.number, at.total, left, at.pipeline, at.scene);
   if (!at.finished) {
-    progress.begin(what + left);
+    progress.begin(what);
   } else if (at.cell->state == CellState::failed) {
     spdlog::warn("{} failed: {}", what, at.cell->failure);
   } else {
-    spdlog::info("{}: {:.2f} s, {:.0f} MB{}", what, at.cell->seconds, at.cell->peak_bytes / 1e6,
-                 left);
+    spdlog::info("{}: {:.2f} s, {:.0f} MB", what, at.cell->seconds, at.cell->peak_bytes / 1e6);
   }
 }
 

@@ -80,9 +80,11 @@ void add_figures(std::vector<TableCell>& row, const std::vector<Column>& columns
   }
 }
 
-/// Marks the best of each column among `rows`. What looks the same is the same.
+/// Marks the best of each column among `rows`, if there are several. What looks the same is the
+/// same.
 void mark_best(const std::vector<std::vector<TableCell>*>& rows, std::size_t names,
                const std::vector<Column>& columns) {
+  if (rows.size() < 2) return;
   for (std::size_t c = 0; c < columns.size(); ++c) {
     if (columns[c].best == Best::none) continue;
     std::map<double, std::vector<TableCell*>> ranking;
@@ -95,6 +97,12 @@ void mark_best(const std::vector<std::vector<TableCell>*>& rows, std::size_t nam
         columns[c].best == Best::lowest ? ranking.begin()->second : ranking.rbegin()->second;
     for (TableCell* cell : best) cell->best = true;
   }
+}
+
+std::vector<std::vector<TableCell>*> pointers(std::vector<std::vector<TableCell>>& rows) {
+  std::vector<std::vector<TableCell>*> list;
+  for (auto& row : rows) list.push_back(&row);
+  return list;
 }
 
 std::vector<std::string> header(std::vector<std::string> names,
@@ -204,22 +212,22 @@ Table scene_table(const BenchResult& result, const std::string& set) {
   Table table{
       .title = set + ": scenes", .names = 2, .header = header({"scene", "pipeline"}, figures)};
   const std::vector<std::size_t> scenes = scenes_of(result, set);
-  const std::size_t pipelines = result.plan.pipelines.size();
   for (const std::size_t scene : scenes) {
-    for (std::size_t i = 0; i < pipelines; ++i) {
-      auto& row = table.rows.emplace_back();
+    std::vector<std::vector<TableCell>> rows;
+    for (std::size_t i = 0; i < result.plan.pipelines.size(); ++i) {
+      auto& row = rows.emplace_back();
       row = {{result.plan.scenes[scene].files.name}, {result.plan.pipelines[i].name}};
       add_figures(row, figures, result.at(i, scene));
-      if (result.at(i, scene).state == CellState::failed) row[table.names].text = "failed";
-      if (result.at(i, scene).state == CellState::not_run) row[table.names].text = "not run";
     }
+    mark_best(pointers(rows), table.names, figures);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const CellState state = result.at(i, scene).state;
+      if (state == CellState::failed) rows[i][table.names].text = "failed";
+      if (state == CellState::not_run) rows[i][table.names].text = "not run";
+    }
+    table.rows.insert(table.rows.end(), rows.begin(), rows.end());
   }
   note_missing(table, result, scenes);
-  for (std::size_t begin = 0; begin < table.rows.size(); begin += pipelines) {
-    std::vector<std::vector<TableCell>*> rows;
-    for (std::size_t i = 0; i < pipelines; ++i) rows.push_back(&table.rows[begin + i]);
-    mark_best(rows, table.names, figures);
-  }
   return table;
 }
 

@@ -15,7 +15,8 @@ inline BenchResult empty_result(const std::vector<std::string>& pipelines,
   BenchResult result;
   result.rules.thresholds = {1};
   for (const std::string& name : pipelines) {
-    result.plan.pipelines.push_back({.name = name, .file = name + ".yaml", .resolved = "{}"});
+    result.plan.pipelines.push_back(
+        {.name = name, .file = name + ".yaml", .overrides = {}, .resolved = "{}"});
   }
   for (const std::string& name : scenes) {
     BenchScene& scene = result.plan.scenes.emplace_back();
@@ -29,6 +30,7 @@ inline BenchResult empty_result(const std::vector<std::string>& pipelines,
 /// A cell whose non-occluded pixels have these figures; those of all pixels are worse by 0.25.
 inline BenchCell done(double invalid, double bad, double error, double seconds = 1) {
   BenchCell cell{.state = CellState::done,
+                 .failure = {},
                  .seconds = seconds,
                  .peak_bytes = 100e6,
                  .evaluations = 50e6,

@@ -24,8 +24,9 @@ struct Bench {
   Bench() {
     plan.output = folder / "out";
     plan.threads = 2;
-    plan.pipelines = {{.name = "good", .file = "good.yaml", .resolved = R"({"p1": 4})"},
-                      {.name = "bad", .file = "bad.yaml", .resolved = R"({"p1": 9})"}};
+    plan.pipelines = {
+        {.name = "good", .file = "good.yaml", .overrides = {}, .resolved = R"({"p1": 4})"},
+        {.name = "bad", .file = "bad.yaml", .overrides = {}, .resolved = R"({"p1": 9})"}};
     for (const std::string name : {"one", "two"}) {
       BenchScene& scene = plan.scenes.emplace_back();
       scene.set = "set";

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
-#include "bench/names.hpp"
+#include <filesystem>
+
+#include "support/support.hpp"
 #include "support/temporary_folder.hpp"
 #include "xgm/bench.hpp"
 
 using namespace xgm;
+using xgm::testing::builtins;
 using xgm::testing::contains;
 using xgm::testing::error_of;
+using xgm::testing::TemporaryFolder;
 
 namespace {
 
@@ -17,11 +21,16 @@ std::vector<std::string> names(const std::vector<SweepPoint>& points) {
   return list;
 }
 
-BenchScene scene(const std::string& data_folder, const std::string& left) {
-  BenchScene scene;
-  scene.data_folder = data_folder;
-  scene.files.images.left = left;
-  return scene;
+/// A folder that a data set takes for a scene; nothing opens its images.
+void add_scene(const TemporaryFolder& folder, const std::string& name) {
+  std::filesystem::create_directories(folder / name);
+  for (const char* image : {"/im0.png", "/im1.png"}) folder.write(name + image, "image");
+}
+
+std::vector<std::string> sets_of(const std::vector<BenchScene>& scenes) {
+  std::vector<std::string> list;
+  for (const BenchScene& scene : scenes) list.push_back(scene.set + ": " + scene.files.name);
+  return list;
 }
 
 }  // namespace
@@ -65,36 +74,43 @@ TEST_CASE("sweeps whose paths end alike are called by the whole path") {
 }
 
 TEST_CASE("names are fit for folders, and pipelines called alike are told apart") {
-  CHECK(folder_name("sgm8+cost={type: census}") == "sgm8+cost=_type__census_");
-  CHECK(folder_name("../x") == ".._x");
-  CHECK(folder_name("..") == "_..");
-  CHECK(folder_name("") == "_");
-  CHECK(folder_name(std::string(500, 'x')).size() < 200);
-  std::vector<BenchPipeline> pipelines(4);
-  for (auto& pipeline : pipelines) pipeline.name = "sgm8";
-  pipelines[3].name = "submit";
+  std::vector<BenchPipeline> pipelines;
+  for (const std::string& name :
+       {std::string("sgm8"), std::string("sgm8"), std::string("sgm8+cost={type: census}"),
+        std::string("../x"), std::string(".."), std::string(), std::string("submit"),
+        std::string(500, 'x')}) {
+    pipelines.emplace_back().name = name;
+  }
   name_folders(pipelines);
   CHECK(pipelines[0].name == "sgm8");
   CHECK(pipelines[1].name == "sgm8-2");
-  CHECK(pipelines[2].name == "sgm8-3");
-  CHECK(pipelines[3].name == "submit-2");  // the folder of uploads
+  CHECK(pipelines[2].name == "sgm8+cost=_type__census_");
+  CHECK(pipelines[3].name == ".._x");
+  CHECK(pipelines[4].name == "_..");
+  CHECK(pipelines[5].name == "_");
+  CHECK(pipelines[6].name == "submit-2");  // beside the folder of uploads
+  CHECK(pipelines[7].name.size() < 200);
 }
 
 TEST_CASE("scenes given one by one are in the set of the folder around them") {
-  std::vector<BenchScene> scenes{
-      scene("/data/half/Teddy", "/data/half/Teddy/im0.png"),
-      scene("/data/half/Teddy", "/data/half/Teddy/im0.png"),  // another right image
-      scene("/data/half/Cones/", "/data/half/Cones/im0.png"),
-      scene("/data/full", "/data/full/Art/im0.png"),
-      scene("/other/full", "/other/full/Art/im0.png"),
-      scene("/data/flat", "/data/flat/left1.png"),  // scenes beside each other
-      scene("/data/flat", "/data/flat/left2.png")};
-  name_sets(scenes);
-  CHECK(scenes[0].set == "half");
-  CHECK(scenes[1].set == "half");
-  CHECK(scenes[2].set == "half");
-  CHECK(scenes[3].set == "full");
-  CHECK(scenes[4].set == "full-2");
-  CHECK(scenes[5].set == "flat");
-  CHECK(scenes[6].set == "flat");
+  const TemporaryFolder folder;
+  for (const char* name : {"half/Teddy", "half/Cones", "full/Art", "other/full/Art"}) {
+    add_scene(folder, name);
+  }
+  folder.write("half/Teddy/im1E.png", "image");  // another right image
+  const auto scenes = find_bench_scenes({folder / "half/Teddy", folder / "half/Cones/",
+                                         folder / "full", folder / "other/full", folder / "full"},
+                                        builtins(), "", {});
+  CHECK(sets_of(scenes) == std::vector<std::string>{"half: Teddy", "half: TeddyE", "half: Cones",
+                                                    "full: Art", "full-2: Art"});
+}
+
+TEST_CASE("scenes are picked by name") {
+  const TemporaryFolder folder;
+  for (const char* name : {"half/Teddy", "half/Cones"}) add_scene(folder, name);
+  const auto scenes = find_bench_scenes({folder / "half"}, builtins(), "", {"Teddy"});
+  CHECK(sets_of(scenes) == std::vector<std::string>{"half: Teddy"});
+  const std::string error =
+      error_of([&] { find_bench_scenes({folder / "half"}, builtins(), "", {"Tedy"}); });
+  CHECK(contains(error, "did you mean 'Teddy'"));
 }

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <sstream>
 
-#include "bench/table.hpp"
-#include "bench/text.hpp"
 #include "framework/bench/cases.hpp"
 #include "support/temporary_folder.hpp"
+#include "xgm/bench_tables.hpp"
 
 using namespace xgm;
 using xgm::testing::contains;
@@ -27,13 +27,33 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-std::string row(const Table& table, std::size_t index) {
-  std::string text;
-  for (const TableCell& cell : table.rows.at(index)) {
-    text += (text.empty() ? "" : " ") + cell.text + (cell.best ? "*" : "");
-  }
-  return text;
+/// A table of the Markdown page; the best of a column has a star.
+struct Table {
+  std::string title, header;
+  std::vector<std::string> rows, notes;
+};
+
+std::string without_bars(const std::string& line) {
+  static const std::regex best(R"(\*\*([^*]+)\*\*)"), bar(R"( *\| *)"), ends("^ | $");
+  const std::string stars = std::regex_replace(line, best, "$1*");
+  return std::regex_replace(std::regex_replace(stars, bar, " "), ends, "");
 }
+
+std::vector<Table> tables(const BenchResult& result) {
+  std::vector<Table> found;
+  for (const std::string& line : lines_of(bench_markdown(result))) {
+    if (line.starts_with("## ")) found.push_back({line.substr(3), {}, {}, {}});
+    if (line.starts_with("- ")) found.back().notes.push_back(line.substr(2));
+    if (!line.starts_with("| ")) continue;
+    Table& table = found.back();
+    (table.header.empty() ? table.header : table.rows.emplace_back()) = without_bars(line);
+  }
+  return found;
+}
+
+/// Of the only set.
+Table averages(const BenchResult& result) { return tables(result).at(0); }
+Table scenes(const BenchResult& result) { return tables(result).at(1); }
 
 /// Bars that separate cells; escaped ones do not.
 std::size_t bars(const std::string& line) {
@@ -75,72 +95,71 @@ TEST_CASE("averages weigh the scenes, and total is invalid plus bad to the last 
 }
 
 TEST_CASE("the table of averages has the paper's columns, and the best in each is marked") {
-  const Table table = average_table(two_by_two(), "set");
+  const Table table = averages(two_by_two());
   CHECK(table.title == "set: weighted average of 2 scenes");
-  CHECK(table.header == std::vector<std::string>{"pipeline", "scenes", "avg err", "invalid",
-                                                 "bad 1", "total 1", "s", "MB", "MDE/s"});
+  CHECK(table.header == "pipeline scenes avg err invalid bad 1 total 1 s MB MDE/s");
   // a: 20 % invalid, 16 % bad; b: 18 % and 14 %. 50 million evaluations in 3 s and 2 s.
-  CHECK(row(table, 0) == "a 2 2.00* 20.00 16.00 36.00 3.00 100* 16.7");
-  CHECK(row(table, 1) == "b 2 2.00* 18.00* 14.00* 32.00* 2.00* 100* 25.0*");
+  CHECK(table.rows.at(0) == "a 2 2.00* 20.00 16.00 36.00 3.00 100* 16.7");
+  CHECK(table.rows.at(1) == "b 2 2.00* 18.00* 14.00* 32.00* 2.00* 100* 25.0*");
 }
 
 TEST_CASE("figures that look the same share the first place, though their digits differ further") {
   BenchResult result = empty_result({"a", "b"}, {"one"});
   result.cells = {done(0.100001, 0.2, 1), done(0.100002, 0.2, 1.004)};
-  const Table table = scene_table(result, "set");
-  CHECK(row(table, 0) == "one a 1.00* 10.00* 20.00* 30.00* 1.00* 100* 50.0*");
-  CHECK(row(table, 1) == "one b 1.00* 10.00* 20.00* 30.00* 1.00* 100* 50.0*");
+  const Table table = scenes(result);
+  CHECK(table.rows.at(0) == "one a 1.00* 10.00* 20.00* 30.00* 1.00* 100* 50.0*");
+  CHECK(table.rows.at(1) == "one b 1.00* 10.00* 20.00* 30.00* 1.00* 100* 50.0*");
 }
 
 TEST_CASE("each scene has its own best") {
-  const Table table = scene_table(two_by_two(), "set");
-  CHECK(row(table, 0) == "one a 1.00* 10.00* 20.00 30.00 2.00 100* 25.0");
-  CHECK(row(table, 1) == "one b 2.00 12.00 16.00* 28.00* 1.00* 100* 50.0*");
-  CHECK(row(table, 2) == "two a 4.00 40.00 8.00* 48.00 4.00 100* 12.5");
-  CHECK(row(table, 3) == "two b 2.00* 30.00* 10.00 40.00* 3.00* 100* 16.7*");
+  const Table table = scenes(two_by_two());
+  CHECK(table.rows.at(0) == "one a 1.00* 10.00* 20.00 30.00 2.00 100* 25.0");
+  CHECK(table.rows.at(1) == "one b 2.00 12.00 16.00* 28.00* 1.00* 100* 50.0*");
+  CHECK(table.rows.at(2) == "two a 4.00 40.00 8.00* 48.00 4.00 100* 12.5");
+  CHECK(table.rows.at(3) == "two b 2.00* 30.00* 10.00 40.00* 3.00* 100* 16.7*");
 }
 
 TEST_CASE("a failed cell is a marked row with the reason, and its pipeline is not ranked") {
   BenchResult result = two_by_two();
   result.cells[3] = failed("im1.png: is broken; copy it again");
-  const Table averages = average_table(result, "set");
-  CHECK(row(averages, 0) == "a 2 2.00* 20.00* 16.00* 36.00* 3.00* 100* 16.7*");
-  CHECK(row(averages, 1) == "b 1 of 2 ! 2.00 12.00 16.00 28.00 1.00 100 50.0");
-  REQUIRE(averages.notes.size() == 2);
-  CHECK(averages.notes[0] == "! lacks scenes that others have: not comparable, and not ranked");
-  CHECK(averages.notes[1] == "b failed on two: im1.png: is broken; copy it again");
-  CHECK(row(scene_table(result, "set"), 3) == "two b failed – – – – – –");
+  const Table table = averages(result);
+  CHECK(table.rows.at(0) == "a 2 2.00 20.00 16.00 36.00 3.00 100 16.7");
+  CHECK(table.rows.at(1) == "b 1 of 2 ! 2.00 12.00 16.00 28.00 1.00 100 50.0");
+  REQUIRE(table.notes.size() == 2);
+  CHECK(table.notes[0] == "! lacks scenes that others have: not comparable, and not ranked");
+  CHECK(table.notes[1] == "b failed on two: im1.png: is broken; copy it again");
+  CHECK(scenes(result).rows.at(3) == "two b failed – – – – – –");
   CHECK(result.failures() == 1);
 }
 
 TEST_CASE("pipelines that all lack the same scene remain comparable") {
   BenchResult result = two_by_two();
   result.cells[2] = result.cells[3] = failed("im1.png: is broken");
-  const Table table = average_table(result, "set");
-  CHECK(row(table, 0) == "a 1 of 2 1.00* 10.00* 20.00 30.00 2.00 100* 25.0");
-  CHECK(row(table, 1) == "b 1 of 2 2.00 12.00 16.00* 28.00* 1.00* 100* 50.0*");
+  const Table table = averages(result);
+  CHECK(table.rows.at(0) == "a 1 of 2 1.00* 10.00* 20.00 30.00 2.00 100* 25.0");
+  CHECK(table.rows.at(1) == "b 1 of 2 2.00 12.00 16.00* 28.00* 1.00* 100* 50.0*");
 }
 
 TEST_CASE("what no pixel can tell is a dash, in the average too, and never the best") {
   BenchResult result = empty_result({"a", "b"}, {"one", "two"});
   const double nan = std::numeric_limits<double>::quiet_NaN();
   result.cells = {done(1, 0, nan), done(0.5, 0.5, 9), done(0, 0, 1), done(0, 0, 1)};
-  CHECK(row(scene_table(result, "set"), 0) == "one a – 100.00 0.00* 100.00* 1.00* 100* 50.0*");
-  CHECK(row(average_table(result, "set"), 0) == "a 2 – 50.00 0.00* 50.00* 1.00* 100* 50.0*");
-  CHECK(row(average_table(result, "set"), 1) == "b 2 5.00* 25.00* 25.00 50.00* 1.00* 100* 50.0*");
+  CHECK(scenes(result).rows.at(0) == "one a – 100.00 0.00* 100.00* 1.00* 100* 50.0*");
+  CHECK(averages(result).rows.at(0) == "a 2 – 50.00 0.00* 50.00* 1.00* 100* 50.0*");
+  CHECK(averages(result).rows.at(1) == "b 2 5.00* 25.00* 25.00 50.00* 1.00* 100* 50.0*");
 }
 
 TEST_CASE("scenes without truth have their costs and the share of pixels with a disparity") {
   BenchResult result = empty_result({"a"}, {"one", "two"});
   result.cells = {done(0.1, 0.2, 1), done(0.3, 0, 0)};
   result.cells[1].regions.clear();
-  const Table scenes = scene_table(result, "set");
-  CHECK(scenes.header[6] == "density");
-  CHECK(row(scenes, 1) == "two a – – – – 70.00 1.00* 100* 50.0*");
-  const Table averages = average_table(result, "set");
-  CHECK(row(averages, 0) == "a 2 1.00* 10.00* 20.00* 30.00* 80.00 1.00* 100* 50.0*");
-  REQUIRE(averages.notes.size() == 1);
-  CHECK(averages.notes[0] == "no truth for: two");
+  const Table by_scene = scenes(result);
+  CHECK(contains(by_scene.header, " density "));
+  CHECK(by_scene.rows.at(1) == "two a – – – – 70.00 1.00 100 50.0");
+  const Table table = averages(result);
+  CHECK(table.rows.at(0) == "a 2 1.00 10.00 20.00 30.00 80.00 1.00 100 50.0");
+  REQUIRE(table.notes.size() == 1);
+  CHECK(table.notes[0] == "no truth for: two");
 }
 
 TEST_CASE("the region asked for is the one judged") {
@@ -151,7 +170,7 @@ TEST_CASE("the region asked for is the one judged") {
   CHECK(judged(result.cells[0], {.region = "foreground"}) == nullptr);
   result.cells[0].regions.pop_back();  // a scene that does not tell hidden pixels apart
   CHECK(judged(result.cells[0], {})->invalid == 0.35);
-  const Table table = average_table(result, "set");
+  const Table table = averages(result);
   REQUIRE(table.notes.size() == 1);
   CHECK(table.notes[0] == "judged on hidden pixels too, as no mask tells them apart: one");
 }
@@ -160,8 +179,8 @@ TEST_CASE("an interrupted bench says how much is missing") {
   BenchResult result = empty_result({"a", "b"}, {"one", "two"});
   result.cells[0] = done(0.1, 0.2, 1);
   result.interrupted = true;
-  const Table table = average_table(result, "set");
-  CHECK(row(table, 1) == "b 0 of 2 ! – – – – – – –");
+  const Table table = averages(result);
+  CHECK(table.rows.at(1) == "b 0 of 2 ! – – – – – – –");
   CHECK(table.notes.back() == "3 runs are still to be done");
   CHECK(contains(bench_markdown(result), "**Interrupted"));
 }
@@ -170,7 +189,7 @@ TEST_CASE("sets are averaged each by itself") {
   BenchResult result = two_by_two();
   result.plan.scenes[1].set = "other";
   CHECK(sets(result) == std::vector<std::string>{"set", "other"});
-  CHECK(row(average_table(result, "other"), 0) == "a 1 4.00 40.00 8.00* 48.00 4.00 100* 12.5");
+  CHECK(tables(result).at(1).rows.at(0) == "a 1 4.00 40.00 8.00* 48.00 4.00 100* 12.5");
 }
 
 TEST_CASE("Markdown tables have as many cells in each row, whatever the names hold") {
@@ -191,7 +210,7 @@ TEST_CASE("Markdown tables have as many cells in each row, whatever the names ho
   }
   CHECK(rows == 2 + 2 + 2 + 4);  // heads, rules and rows of both tables
   CHECK(contains(text, "| b | 1 of 2 ! | 2.00 |"));
-  CHECK(contains(text, "**36.00**"));
+  CHECK(contains(text, "| **10.00** |"));
   CHECK(contains(text, "it \\| broke badly \\`here\\`"));
 }
 
@@ -240,11 +259,8 @@ TEST_CASE("terminal tables align, dashes included") {
   CHECK(lines[3].size() == end + 2 * 4);  // four dashes of three bytes
 }
 
-TEST_CASE("numbers have no sign without a value") {
-  CHECK(fixed_number(-0.001, 2) == "0.00");
-  CHECK(fixed_number(-0.5, 0) == "0");
-  CHECK(fixed_number(-1.005, 1) == "-1.0");
-  CHECK(short_number(0.5) == "0.5");
-  CHECK(short_number(2) == "2");
-  CHECK(figure_text(INFINITY, 2) == kNoFigure);
+TEST_CASE("a figure that rounds to zero has no sign") {
+  BenchResult result = empty_result({"a"}, {"one"});
+  result.cells = {done(0, 0, -0.001)};
+  CHECK(averages(result).rows.at(0) == "a 1 0.00 0.00 0.00 0.00 1.00 100 50.0");
 }
