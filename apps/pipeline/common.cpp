@@ -52,6 +52,14 @@ std::vector<Override> parse_overrides(const std::vector<std::string>& assignment
   return overrides;
 }
 
+CLI::Option* add_dataset_option(CLI::App& command, std::string& dataset) {
+  return command
+      .add_option("--dataset", dataset,
+                  "How the folder is laid out, if that is not recognised: name of a data set, YAML "
+                  "of one, or a file of such YAML")
+      ->type_name("NAME|YAML|FILE");
+}
+
 std::string pipelines_folder() {
   std::error_code unknown;
   const fs::path program = fs::read_symlink("/proc/self/exe", unknown);

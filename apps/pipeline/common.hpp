@@ -30,12 +30,14 @@ struct Invocation {
 
 /// Every subcommand adds itself, and leaves its exit code in `call`.
 void add_run(CLI::App& app, Invocation& call);
+void add_eval(CLI::App& app, Invocation& call);
 void add_check(CLI::App& app, Invocation& call);
 void add_list(CLI::App& app, Invocation& call);
 void add_describe(CLI::App& app, Invocation& call);
 void add_graph(CLI::App& app, Invocation& call);
 void add_schema(CLI::App& app, Invocation& call);
 void add_bench(CLI::App& app, Invocation& call);
+void add_scenes(CLI::App& app, Invocation& call);
 
 struct PluginOptions {
   std::vector<std::string> files;  ///< --plugin
@@ -49,6 +51,9 @@ Registry make_registry(const PluginOptions& options);
 void add_set_option(CLI::App& command, std::vector<std::string>& assignments);
 /// "path=value" as overrides. Throws UsageError.
 std::vector<Override> parse_overrides(const std::vector<std::string>& assignments);
+
+/// --dataset, for commands that take folders of scenes.
+CLI::Option* add_dataset_option(CLI::App& command, std::string& dataset);
 
 /// The folder of the shipped pipelines.
 std::string pipelines_folder();

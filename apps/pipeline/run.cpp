@@ -4,10 +4,12 @@
 
 #include <chrono>
 #include <filesystem>
+#include <iostream>
 #include <memory>
 
 #include "common.hpp"
 #include "console.hpp"
+#include "run_depth.hpp"
 #include "run_inputs.hpp"
 #include "run_observer.hpp"
 #include "run_options.hpp"
@@ -19,8 +21,6 @@
 
 namespace xgm::cli {
 namespace {
-
-const std::vector kTruthThresholds = {0.5, 1.0, 2.0, 4.0};  // px
 
 class Stopwatch {
  public:
@@ -46,17 +46,33 @@ void make_folder(const std::string& folder) {
   }
 }
 
+/// All that can be wrong with the truth is found by judging an empty map.
+void require_judgeable(const Scene& scene) {
+  evaluate(DisparityMap(scene.pair.size()), scene.truth.disparity, {}, scene.truth.non_occluded);
+}
+
 /// Before matching: a mistake in these files should not cost the user a run.
 void read_truth(const RunOptions& options, Scene& scene) {
-  if (options.truth.empty()) return;
-  scene.truth = {.disparity = read_disparities(options.truth, options.truth_scale)};
+  scene.truth = {.disparity = read_disparities(options.truth, options.truth_divisor)};
   scene.inputs.push_back({"truth", options.truth, identify_file(options.truth)});
   if (!options.truth_mask.empty()) {
     scene.truth.non_occluded = read_mask(options.truth_mask);
     scene.inputs.push_back({"truth mask", options.truth_mask, identify_file(options.truth_mask)});
   }
-  // All that can be wrong with it is found by judging an empty map.
-  evaluate(DisparityMap(scene.pair.size()), scene.truth.disparity, {}, scene.truth.non_occluded);
+  require_judgeable(scene);
+}
+
+/// What comes with the scene is a help, no wish of the user: if it is of no use, the run goes on.
+void read_truth_of_scene(const SceneFiles& files, Scene& scene) {
+  try {
+    scene.truth = load_truth(files.truth, scene.pair.size());
+    if (scene.truth.disparity.empty()) return;
+    require_judgeable(scene);
+    for (InputFile& file : identify_truth(files.truth)) scene.inputs.push_back(std::move(file));
+  } catch (const Error& error) {
+    scene.truth = {};
+    spdlog::warn("the scene's truth is not used: {}", error.message());
+  }
 }
 
 /// Running out of memory must be an error, not the end of the process.
@@ -87,13 +103,17 @@ RunRecord begin_record(const RunOptions& options, const NamedPipeline& named,
 }
 
 int run_checked(const RunOptions& options, const Pipeline& pipeline, const Plan& plan,
-                RunRecord record) {
+                const std::optional<DepthPlan>& depth, RunRecord record) {
   Progress progress;
   progress.begin("reading the images");
   const Stopwatch reading;
   Scene scene = read_scene(plan);
   const DisparityRange range = make_range(plan, scene);
-  read_truth(options, scene);
+  if (!options.truth.empty()) {
+    read_truth(options, scene);
+  } else if (plan.scene) {
+    read_truth_of_scene(*plan.scene, scene);
+  }
   for (const std::string& note : scene.notes) spdlog::info(note);
   record.reading_seconds = reading.seconds();
   record.scene = scene.name;
@@ -106,8 +126,9 @@ int run_checked(const RunOptions& options, const Pipeline& pipeline, const Plan&
   LevelCollector levels;
   RunObserver observer(progress, dumper, options.report ? &levels : nullptr);
   progress.begin("matching");
-  const Image left = scene.pair.base;
   const Stopwatch matching;
+  // Shares its pixels.
+  const Image left = depth || options.report ? scene.pair.base : Image();
   const MatchResult result =
       pipeline.run({std::move(scene.pair), range, {}}, observer, options.threads);
   record.matching_seconds = matching.seconds();
@@ -123,15 +144,17 @@ int run_checked(const RunOptions& options, const Pipeline& pipeline, const Plan&
   record.valid_share = map.valid_share();
   record.status_shares = status_shares(map);
   if (!scene.truth.disparity.empty()) {
-    record.truth = evaluate_regions(map, scene.truth, {.deltas = kTruthThresholds});
+    record.truth = evaluate_regions(map, scene.truth, {.deltas = usual_thresholds()});
   }
   record.peak_memory_bytes = peak_memory();
+  const std::string depth_text = depth ? write_depth_files(*depth, map, left) : "";
   write_results(options.output, map, record);
   if (options.report) {
     write_report(options.output, left, scene.truth, map, levels.levels(), record);
   }
   progress.end();
   print_summary(options.output, record, options.report);
+  std::cout << depth_text << std::flush;
   return judge(map, record);
 }
 
@@ -142,10 +165,11 @@ int run(const RunOptions& options, const std::vector<std::string>& command_line)
   const auto named = load_named(options.pipeline, registry, overrides);
   if (!named) return kUsage;
   const Plan plan = make_plan(options, named->pipeline, registry);
+  const std::optional<DepthPlan> depth = plan_depth(options, plan);
   make_folder(options.output);
   RunRecord record = begin_record(options, *named, overrides, plan);
   record.command_line = command_line;
-  return run_checked(options, named->pipeline, plan, std::move(record));
+  return run_checked(options, named->pipeline, plan, depth, std::move(record));
 }
 
 }  // namespace

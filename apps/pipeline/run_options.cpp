@@ -34,12 +34,7 @@ void add_inputs(CLI::App& command, RunOptions& options) {
   command.add_option("--scene", options.scene_name, "Which scene, if SCENE_DIR holds several")
       ->type_name("NAME")
       ->needs(scene);
-  command
-      .add_option("--dataset", options.dataset,
-                  "How SCENE_DIR is laid out, if that is not recognised: name of a data set, YAML "
-                  "of one, or a file of such YAML")
-      ->type_name("NAME|YAML|FILE")
-      ->needs(scene);
+  add_dataset_option(command, options.dataset)->needs(scene);
   auto* left = command.add_option("--left", options.images.left, "Left (base) image");
   auto* right = command.add_option("--right", options.images.right, "Right (match) image");
   auto* left_mask = command.add_option("--left-mask", options.images.left_mask,
@@ -72,15 +67,15 @@ void add_search(CLI::App& command, RunOptions& options) {
 void add_truth(CLI::App& command, RunOptions& options) {
   auto* truth = command
                     .add_option("--truth", options.truth,
-                                "True disparities to compare with: PFM, or 8- or 16-bit PNG (0 = "
-                                "none)")
+                                "True disparities to compare with: PFM, or 8- or 16-bit PNG with "
+                                "--truth-divisor (0 = none). Without it those of the scene, if it "
+                                "has any")
                     ->type_name("FILE")
                     ->check(existing_file());
   command
-      .add_option("--truth-scale", options.truth_scale,
+      .add_option("--truth-divisor,--truth-scale", options.truth_divisor,
                   "What the truth's values are divided by to give px (KITTI: 256)")
       ->type_name("NUMBER")
-      ->check(CLI::PositiveNumber)
       ->needs(truth);
   command
       .add_option("--truth-mask", options.truth_mask,
@@ -88,6 +83,19 @@ void add_truth(CLI::App& command, RunOptions& options) {
       ->type_name("FILE")
       ->check(existing_file())
       ->needs(truth);
+}
+
+void add_depth(CLI::App& command, RunOptions& options) {
+  command
+      .add_option("--cloud", options.cloud,
+                  "Also write the points, coloured, in mm (binary PLY), and their depths; the "
+                  "scene's calibration must be known")
+      ->type_name("FILE.ply");
+  command
+      .add_option("--depth", options.depth,
+                  "Also write the depths in mm (float TIFF, NaN = none); with --cloud this is "
+                  "depth.tiff beside it unless given")
+      ->type_name("FILE.tiff");
 }
 
 }  // namespace
@@ -115,6 +123,7 @@ void add_run_options(CLI::App& command, RunOptions& options) {
   command.add_flag("--report", options.report,
                    "Also write DIR/report.html: one page, for any browser, without network, that "
                    "shows maps, values, levels, times and configuration");
+  add_depth(command, options);
   add_plugin_options(command, options.plugins);
   command
       .add_option("--log-level", options.log_level,
@@ -124,15 +133,15 @@ void add_run_options(CLI::App& command, RunOptions& options) {
       ->capture_default_str();
 }
 
-Interval parse_disparities(const std::string& text) {
+Interval parse_disparities(const std::string& text, const std::string& option) {
   const std::size_t colon = text.find(':');
   int first = 0, last = 0;
   if (colon == std::string::npos || !parse_whole(text.substr(0, colon), first) ||
       !parse_whole(text.substr(colon + 1), last)) {
-    throw UsageError("--disparities " + text + ": write MIN:MAX in whole px, for example 0:63");
+    throw UsageError(option + " " + text + ": write MIN:MAX in whole px, for example 0:63");
   }
   if (first > last) {
-    throw UsageError("--disparities " + text + ": the smallest comes first; did you mean " +
+    throw UsageError(option + " " + text + ": the smallest comes first; did you mean " +
                      std::to_string(last) + ":" + std::to_string(first) + "?");
   }
   return {first, last + 1};

@@ -30,21 +30,31 @@ using namespace xgm::testing;
 namespace {
 
 // What the guides call "your own images": a small pair with masks, truth and range maps, once as
-// files and once as a scene folder; and in build/ the plugins of the example project.
+// files and once as a scene folder, a folder of two scenes with cameras; and in build/ the plugins
+// of the example project.
 void write_inputs(const TemporaryFolder& folder) {
   const SyntheticScene scene = make_scene({});
   const cv::Mat1b everywhere(scene.pair.size(), 255);
-  std::filesystem::create_directories(folder / "scene");
-  for (const std::string name : {"left.png", "scene/im0.png"}) {
+  for (const char* scene : {"scene", "samples/field", "samples/house"}) {
+    std::filesystem::create_directories(folder / scene);
+  }
+  for (const std::string name :
+       {"left.png", "scene/im0.png", "samples/field/im0.png", "samples/house/im0.png"}) {
     write_png(folder / name, picture(scene.pair.base));
   }
-  for (const std::string name : {"right.png", "scene/im1.png"}) {
+  for (const std::string name :
+       {"right.png", "scene/im1.png", "samples/field/im1.png", "samples/house/im1.png"}) {
     write_png(folder / name, picture(scene.pair.match));
   }
   for (const std::string name : {"left_mask.png", "right_mask.png"}) {
     write_png(folder / name, everywhere);
   }
   folder.write("scene/calib.txt", "ndisp=32\n");
+  for (const std::string name : {"samples/field/calib.txt", "samples/house/calib.txt"}) {
+    folder.write(name, "cam0=[200 0 80; 0 200 60; 0 0 1]\ndoffs=4\nbaseline=120\nndisp=32\n");
+  }
+  write_pfm(folder / "scene/disp0GT.pfm", scene.truth);
+  write_png(folder / "scene/mask0nocc.png", scene.non_occluded);
   write_pfm(folder / "truth.pfm", scene.truth);
   write_pfm(folder / "min.pfm", cv::Mat1f(scene.truth - 4));
   write_pfm(folder / "max.pfm", cv::Mat1f(scene.truth + 4));

@@ -43,6 +43,11 @@ cv::Mat1b mask_of_visible(const cv::Mat1f& disparity, const cv::Mat1f& visible) 
 
 cv::Mat1b cross_check(const cv::Mat1f& disparity, const cv::Mat1f& reverse) {
   constexpr float kAgree = 1;  // px
+  if (reverse.size() != disparity.size()) {
+    throw Error("the truth of the right view is " + size_text(reverse.size()) +
+                " pixels, that of the left " + size_text(disparity.size()) +
+                "; both have the size of the images");
+  }
   cv::Mat1b mask(disparity.size(), 0);
   for (int y = 0; y < mask.rows; ++y) {
     for (int x = 0; x < mask.cols; ++x) {

@@ -47,6 +47,9 @@ XGM_API std::vector<SceneFiles> find_scenes(const std::string& folder, const Reg
 XGM_API SceneFiles find_scene(const std::string& folder, const Registry& registry,
                               const std::string& name = {}, const std::string& dataset = {});
 
+/// The scenes as a JSON list; what is not known is null.
+XGM_API std::string to_json(const std::vector<SceneFiles>& scenes);
+
 /// Reads the images. Throws Error.
 XGM_API Scene load_scene(const SceneFiles& files);
 
@@ -54,6 +57,9 @@ XGM_API Scene load_scene(const SceneFiles& files);
 /// is no file. non_occluded is the mask, else made from `visible`, else from both views by
 /// cross_check. Throws Error, also if a file is of another size.
 XGM_API GroundTruth load_truth(const TruthFiles& files, cv::Size size);
+
+/// The truth among the files that were read, with their parts.
+XGM_API std::vector<InputFile> identify_truth(const TruthFiles& files);
 
 /// Which left pixels are seen in the right image, by the truth of both views: 255 where the truth
 /// of the right view at the pixel pointed at is within 1 px of this pixel's, 128 where not, 0 where
