@@ -19,15 +19,17 @@ function rampLayer(ramp, load, span, unit, missing) {
   };
 }
 
-function classLayer(classes, load, note) {
+/** The first `counted` classes have shares, among themselves. */
+function classLayer(classes, load, counted = classes.length, note = null) {
   const colours = classes.map((c) => rgb(c.colour));
   return {
     async draw() {
       const map = await load();
       const counts = classes.map(() => 0);
       for (const code of map.codes) ++counts[code];
+      const some = counts.slice(0, counted), all = some.reduce((a, b) => a + b, 0);
       return { ...map, colour: (i) => colours[map.codes[i]],
-        legend: classLegend(classes, counts.map((n) => n / map.codes.length), note) };
+        legend: classLegend(classes, some.map((n) => n / all), note) };
     },
   };
 }
@@ -69,7 +71,7 @@ function runLayers(scene, run, settings) {
       at("error", "error", rampLayer(page.ramps.error, () => errors(scene, run),
         () => [0, page.errorSpan], " px and more", "no disparity or no truth")),
       at("bad", "bad pixels", classLayer(page.verdicts,
-        () => verdicts(scene, run, settings.delta, settings.region),
+        () => verdicts(scene, run, settings.delta, settings.region), page.verdicts.length - 1,
         () => `bad: off by more than ${settings.delta} px`)));
   }
   return layers.concat(...run.levels.map((level) => levelLayers(scene, level, run)));

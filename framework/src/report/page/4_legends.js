@@ -15,9 +15,12 @@ function swatch(colour) {
   return box;
 }
 
+const percent = (share) => Number.isNaN(share) ? "–" : `${(100 * share).toFixed(2)} %`;
+
+/** Classes without a share have none shown. */
 function classLegend(classes, shares, note) {
   const items = classes.map((c, i) => element("li", {}, swatch(c.colour), c.name,
-    ...(shares ? [" ", element("b", {}, `${(100 * shares[i]).toFixed(2)} %`)] : [])));
+    ...(i < shares.length ? [" ", element("b", {}, percent(shares[i]))] : [])));
   const list = element("ul", { className: "classes" }, ...items);
   return element("div", { className: "legend" }, list, ...(note ? [note()] : []));
 }
@@ -34,5 +37,5 @@ function rampLegend(ramp, low, high, unit, missing) {
   bar.style.background = `linear-gradient(90deg,${stops})`;
   return element("div", { className: "legend" }, bar,
     element("div", { className: "ticks" }, ...ticks),
-    classLegend([{ name: missing, colour: page.missing }]));
+    classLegend([{ name: missing, colour: page.missing }], []));
 }
