@@ -67,8 +67,9 @@ std::string truth_figures(const SceneView& view, const ReportRun& run, const Sam
   const GroundTruth& truth = view.scene.truth;
   const cv::Mat1f errors = sampled(error_map(run.map, truth.disparity), sampling);
   const Span span{0, kErrorSpan};
-  return figure({"Error", png_uri(in_ramp(errors, error_ramp(), span)),
-                 ramp_legend(error_ramp(), span, " px and more", "no disparity or no truth")}) +
+  return figure(
+             {"Error", png_uri(in_ramp(errors, error_ramp(), span)),
+              ramp_legend(error_ramp(), span, " px", "no disparity or no truth", Above::often)}) +
          bad_figure(run.map, truth, sampling);
 }
 

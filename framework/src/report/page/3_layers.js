@@ -5,8 +5,9 @@
 const rgb = (css) => [1, 3, 5].map((i) => parseInt(css.slice(i, i + 2), 16));
 const missingColour = rgb(page.missing);
 
-/** Numbers in the colours of a ramp. span() is asked once the numbers are there. */
-function rampLayer(ramp, load, span, unit, missing) {
+/** Numbers in the colours of a ramp. span() is asked once the numbers are there; `open`: values
+    above it are to be expected. */
+function rampLayer(ramp, load, span, unit, missing, open = false) {
   return {
     async draw() {
       const map = await load();
@@ -14,7 +15,7 @@ function rampLayer(ramp, load, span, unit, missing) {
       const colour = (value) => Number.isNaN(value) ? missingColour
         : ramp[Math.round(255 * Math.min(Math.max((value - low) / (high - low), 0), 1))];
       return { ...map, colour: (i) => colour(map.values[i]),
-        legend: rampLegend(ramp, low, high, unit, missing) };
+        legend: rampLegend(ramp, low, high, unit, missing, open) };
     },
   };
 }
@@ -69,7 +70,7 @@ function runLayers(scene, run, settings) {
   if (scene.truth) {
     layers.push(
       at("error", "error", rampLayer(page.ramps.error, () => errors(scene, run),
-        () => [0, page.errorSpan], " px and more", "no disparity or no truth")),
+        () => [0, page.errorSpan], " px", "no disparity or no truth", true)),
       at("bad", "bad pixels", classLayer(page.verdicts,
         () => verdicts(scene, run, settings.delta, settings.region), page.verdicts.length - 1,
         () => `bad: off by more than ${settings.delta} px`)));

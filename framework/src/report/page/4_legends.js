@@ -25,13 +25,14 @@ function classLegend(classes, shares, note) {
   return element("div", { className: "legend" }, list, ...(note ? [note()] : []));
 }
 
-function rampLegend(ramp, low, high, unit, missing) {
+function rampLegend(ramp, low, high, unit, missing, open) {
   const stops = [], ticks = [];
   for (let i = 0; i <= 16; ++i) stops.push(`rgb(${ramp[Math.floor(255 * i / 16)]})`);
   const decimals = high - low < 10 ? 1 : 0;
   for (let i = 0; i <= 4; ++i) {
     const text = (low + (high - low) * i / 4).toFixed(decimals);
-    ticks.push(element("span", {}, text + (i === 4 ? unit : "")));
+    const before = i === 4 && open ? "≥ " : "", after = i === 4 ? unit : "";
+    ticks.push(element("span", {}, before + text + after));
   }
   const bar = element("div", { className: "bar" });
   bar.style.background = `linear-gradient(90deg,${stops})`;
