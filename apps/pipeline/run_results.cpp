@@ -63,8 +63,10 @@ void write_report(const std::string& folder, const Image& left, const GroundTrut
                   const RunRecord& record) {
   const std::string name = std::filesystem::path(record.pipeline_file).stem().string();
   Report report;
-  report.title = record.scene + ", " + name;
-  report.scenes = {{record.scene, left, truth, {{name, to_json(record), map, levels}}}};
+  const std::filesystem::path path(record.scene);
+  const std::string scene = (path.has_filename() ? path : path.parent_path()).filename().string();
+  report.title = scene + ", " + name;
+  report.scenes = {{scene, left, truth, {{name, to_json(record), map, levels}}}};
   write_file(in(folder, "report.html"), report_html(report));
 }
 

@@ -31,10 +31,9 @@ struct ReportRun {
   std::string record_json;            ///< content of run.json; may be empty
   DisparityMap map;                   ///< of the base view, of the scene's size
   std::vector<ReportLevel> levels{};  ///< coarsest first; empty without a pyramid
-  /// What is known of single pixels, for the cost curves: an array of {x, y, levels: [{scale,
-  /// range: [first, end), costs, sums, winner, runner_up}]}, disparities in px of the level, costs
-  /// and sums one number per disparity of the range (null: no match). Any part may be missing; may
-  /// be empty.
+  /// What is known of single pixels, for the cost curves: explain.json, an array of {x, y, levels:
+  /// [{scale, range: [first, last], costs, sums, winner, runner_up, ...}], ...}. May be empty; any
+  /// part of it may be missing.
   std::string explanations_json{};
 };
 

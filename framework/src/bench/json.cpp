@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // All that a bench knows, as JSON.
-#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "metrics/evaluation_json.hpp"
 #include "xgm/bench_tables.hpp"
 #include "xgm/plugin/version.hpp"
 
@@ -11,29 +11,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json regions(const BenchCell& cell) {
-  Json list = Json::array();
-  for (const auto& [region, e] : cell.regions) {
-    Json json = {{"region", region},
-                 {"judged_pixels", e.judged},
-                 {"invalid", e.invalid},
-                 {"average_error_px", e.average_error},
-                 {"rms_px", e.rms},
-                 {"a50_px", e.a50},
-                 {"a90_px", e.a90},
-                 {"a95_px", e.a95},
-                 {"a99_px", e.a99},
-                 {"d1", e.d1},
-                 {"thresholds", Json::array()}};
-    for (const ThresholdScore& score : e.at) {
-      json["thresholds"].push_back(
-          {{"delta_px", score.delta}, {"bad", score.bad}, {"total", score.total}});
-    }
-    list.push_back(std::move(json));
-  }
-  return list;
-}
-
 void add_figures(Json& json, const BenchCell& cell) {
   if (cell.state == CellState::failed) json["failure"] = cell.failure;
   if (cell.state != CellState::done) return;
@@ -41,7 +18,7 @@ void add_figures(Json& json, const BenchCell& cell) {
   json["peak_memory_bytes"] = cell.peak_bytes;
   json["disparity_evaluations"] = cell.evaluations;
   json["density"] = cell.density;
-  json["truth"] = regions(cell);
+  json["truth"] = to_json(cell.regions);
 }
 
 Json pipelines(const BenchPlan& plan) {

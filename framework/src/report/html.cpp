@@ -70,8 +70,8 @@ std::string table(const Row& head, const std::vector<Row>& rows) {
   return html + "</tbody></table></div>\n";
 }
 
-std::string ramp_legend(const Ramp& ramp, const Span& span, const std::string& above,
-                        const std::string& missing) {
+std::string ramp_legend(const Ramp& ramp, const Span& span, const std::string& unit,
+                        const std::string& missing, Above above) {
   constexpr int kStops = 16;
   constexpr int kTicks = 4;
   std::string stops, ticks;
@@ -81,7 +81,9 @@ std::string ramp_legend(const Ramp& ramp, const Span& span, const std::string& a
   const int decimals = span.high - span.low < 10 ? 1 : 0;
   for (int i = 0; i <= kTicks; ++i) {
     const double value = span.low + (span.high - span.low) * i / kTicks;
-    ticks += "<span>" + number(value, decimals) + (i == kTicks ? above : "") + "</span>";
+    const bool is_last = i == kTicks;
+    ticks += std::string("<span>") + (is_last && above == Above::often ? "≥ " : "") +
+             number(value, decimals) + (is_last ? unit : "") + "</span>";
   }
   return "<div class=\"legend\"><div class=\"bar\" style=\"background:linear-gradient(90deg," +
          stops + ")\"></div><div class=\"ticks\">" + ticks + "</div>" +

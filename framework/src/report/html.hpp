@@ -21,9 +21,12 @@ using Row = std::vector<std::string>;  ///< cells, HTML already
 /// The first column names the row; numbers stand to the right in all others.
 std::string table(const Row& head, const std::vector<Row>& rows);
 
-/// A bar of the ramp with the numbers that belong to its colours. `above` stands behind the last.
-std::string ramp_legend(const Ramp& ramp, const Span& span, const std::string& above,
-                        const std::string& missing);
+/// Whether values above a ramp's span are to be expected.
+enum class Above { rarely, often };
+
+/// A bar of the ramp with the numbers that belong to its colours, and the colour of `missing`.
+std::string ramp_legend(const Ramp& ramp, const Span& span, const std::string& unit,
+                        const std::string& missing, Above above = Above::rarely);
 /// Classes with their shares, 0 to 1, if there are any.
 std::string class_legend(const std::vector<Class>& classes, const std::vector<double>& shares);
 

@@ -115,9 +115,10 @@ std::string facts_html(const Json& record) {
     html += fact("Total error &gt; 1 px, " + region, percent(total_error(record, 1)));
     html += fact("Average error, " + region, number(average_error(record), 3) + " px");
   }
-  html += fact("Matching", seconds(number_at(record, "/seconds/matching")));
+  const std::string threads = whole("/threads");
+  html += fact("Matching, " + threads + (threads == "1" ? " thread" : " threads"),
+               seconds(number_at(record, "/seconds/matching")));
   html += fact("Memory at most", megabytes(number_at(record, "/peak_memory_bytes")));
-  html += fact("Threads", whole("/threads"));
   return html + "</dl>\n";
 }
 

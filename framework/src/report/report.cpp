@@ -43,7 +43,8 @@ std::string contents(const Report& page) {
 
 std::string page_of(const Report& page, const std::vector<SceneView>& views, double pixels) {
   std::string html = head(page) + page.tables_html + kViewer + contents(page);
-  for (std::size_t i = 0; i < views.size(); ++i) html += scene_html(views[i], i, pixels);
+  for (std::size_t i = 0; i < views.size(); ++i)
+    html += scene_html(views[i], i, views.size() == 1, pixels);
   html += "</main>\n<footer>xgm " XGM_VERSION "</footer>\n";
   html += "<script type=\"application/json\" id=\"data\">" +
           script_text(viewer_data(views, pixels)) + "</script>\n<script>" + kProgram + "</script>";

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <utility>
 
 #include "report/html.hpp"
 #include "report/levels_html.hpp"
@@ -38,10 +39,27 @@ std::vector<double> shares_of(const cv::Mat1b& codes, std::size_t classes) {
   return shares;
 }
 
-std::string class_figure(const std::string& title, const cv::Mat1b& codes,
-                         const std::vector<Class>& classes, const Sampling& sampling) {
-  return figure({title, png_uri(in_classes(sampled(codes, sampling), classes)),
-                 class_legend(classes, shares_of(codes, classes.size()))});
+std::string status_figure(const cv::Mat1b& codes, const Sampling& sampling) {
+  return figure({"Status", png_uri(in_classes(sampled(codes, sampling), status_classes())),
+                 class_legend(status_classes(), shares_of(codes, status_classes().size()))});
+}
+
+/// The verdicts' shares among the pixels judged; none for those that were not.
+std::vector<double> shares_of_judged(const cv::Mat1b& codes) {
+  std::vector<double> shares = shares_of(codes, bad_classes().size());
+  const double judged = 1 - shares.back();
+  shares.pop_back();
+  for (double& share : shares) share /= judged;
+  return shares;
+}
+
+std::string bad_figure(const DisparityMap& map, const GroundTruth& truth,
+                       const Sampling& sampling) {
+  const cv::Mat1b codes = verdicts(map, truth, kBadDelta);
+  const std::string title = "Off by more than 1 px";
+  return figure({truth.non_occluded.empty() ? title : title + ", non-occluded",
+                 png_uri(in_classes(sampled(codes, sampling), bad_classes())),
+                 class_legend(bad_classes(), shares_of_judged(codes))});
 }
 
 std::string truth_figures(const SceneView& view, const ReportRun& run, const Sampling& sampling) {
@@ -49,21 +67,22 @@ std::string truth_figures(const SceneView& view, const ReportRun& run, const Sam
   const GroundTruth& truth = view.scene.truth;
   const cv::Mat1f errors = sampled(error_map(run.map, truth.disparity), sampling);
   const Span span{0, kErrorSpan};
-  return figure({"Error", png_uri(in_ramp(errors, error_ramp(), span)),
-                 ramp_legend(error_ramp(), span, " px and more", "no disparity or no truth")}) +
-         class_figure(truth.non_occluded.empty() ? "Off by more than 1 px"
-                                                 : "Off by more than 1 px, non-occluded",
-                      verdicts(run.map, truth, kBadDelta), bad_classes(), sampling);
+  return figure(
+             {"Error", png_uri(in_ramp(errors, error_ramp(), span)),
+              ramp_legend(error_ramp(), span, " px", "no disparity or no truth", Above::often)}) +
+         bad_figure(run.map, truth, sampling);
 }
 
-std::string run_html(const SceneView& view, std::size_t i, const Sampling& sampling) {
+/// `before`: figures that come first.
+std::string run_html(const SceneView& view, std::size_t i, const Sampling& sampling,
+                     const std::string& before) {
   const ReportRun& run = view.scene.runs[i];
   const Json& record = view.records[i];
   return "<section class=\"run\"><h3>" + html_text(run.name) + "</h3>\n" + facts_html(record) +
-         warnings_html(record) + "<div class=\"gallery\">" +
+         warnings_html(record) + "<div class=\"gallery\">" + before +
          disparity_figure("Disparity", run.map.disparity, view, sampling, "none: see the status") +
-         class_figure("Status", run.map.status, status_classes(), sampling) +
-         truth_figures(view, run, sampling) + "</div>\n" + evaluation_html(record) +
+         status_figure(run.map.status, sampling) + truth_figures(view, run, sampling) + "</div>\n" +
+         evaluation_html(record) +
          levels_html(view, i, static_cast<double>(sampling.shown().area())) + stages_html(record) +
          "<h4>Configuration</h4>" + configuration_html(record) + "</section>\n";
 }
@@ -127,19 +146,21 @@ std::string sampling_note(const SceneView& view, double pixels) {
 
 }  // namespace
 
-std::string scene_html(const SceneView& view, std::size_t index, double pixels) {
+std::string scene_html(const SceneView& view, std::size_t index, bool alone, double pixels) {
   const ReportScene& scene = view.scene;
   const Sampling previews =
       Sampling::within(scene.left.size(), std::min(pixels, kMostPreviewPixels));
   std::string html = "<section class=\"scene\" id=\"scene-" + std::to_string(index) + "\"><h2>" +
-                     html_text(scene.name) + "</h2>\n" + sampling_note(view, pixels) +
-                     comparison_html(view) + "<div class=\"gallery\">" +
-                     left_figure(view, index, pixels);
+                     html_text(alone ? "Results" : scene.name) + "</h2>\n" +
+                     sampling_note(view, pixels) + comparison_html(view);
+  std::string figures = left_figure(view, index, pixels);
   if (view.has_truth()) {
-    html += disparity_figure("True disparity", scene.truth.disparity, view, previews, "unknown");
+    figures += disparity_figure("True disparity", scene.truth.disparity, view, previews, "unknown");
   }
-  html += "</div>\n";
-  for (std::size_t i = 0; i < scene.runs.size(); ++i) html += run_html(view, i, previews);
+  if (scene.runs.size() != 1) {  // one run shows them among its own
+    html += "<div class=\"gallery\">" + std::exchange(figures, "") + "</div>\n";
+  }
+  for (std::size_t i = 0; i < scene.runs.size(); ++i) html += run_html(view, i, previews, figures);
   return html + "</section>\n";
 }
 

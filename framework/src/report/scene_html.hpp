@@ -8,8 +8,9 @@
 
 namespace xgm::report {
 
+/// `alone`: it is the only scene, and the page has its name already.
 /// `pixels`: most pixels of maps in the viewer, which the left image is shared with; the other
 /// pictures have fewer.
-std::string scene_html(const SceneView& view, std::size_t index, double pixels);
+std::string scene_html(const SceneView& view, std::size_t index, bool alone, double pixels);
 
 }  // namespace xgm::report

@@ -5,8 +5,9 @@
 const rgb = (css) => [1, 3, 5].map((i) => parseInt(css.slice(i, i + 2), 16));
 const missingColour = rgb(page.missing);
 
-/** Numbers in the colours of a ramp. span() is asked once the numbers are there. */
-function rampLayer(ramp, load, span, unit, missing) {
+/** Numbers in the colours of a ramp. span() is asked once the numbers are there; `open`: values
+    above it are to be expected. */
+function rampLayer(ramp, load, span, unit, missing, open = false) {
   return {
     async draw() {
       const map = await load();
@@ -14,20 +15,22 @@ function rampLayer(ramp, load, span, unit, missing) {
       const colour = (value) => Number.isNaN(value) ? missingColour
         : ramp[Math.round(255 * Math.min(Math.max((value - low) / (high - low), 0), 1))];
       return { ...map, colour: (i) => colour(map.values[i]),
-        legend: rampLegend(ramp, low, high, unit, missing) };
+        legend: rampLegend(ramp, low, high, unit, missing, open) };
     },
   };
 }
 
-function classLayer(classes, load, note) {
+/** The first `counted` classes have shares, among themselves. */
+function classLayer(classes, load, counted = classes.length, note = null) {
   const colours = classes.map((c) => rgb(c.colour));
   return {
     async draw() {
       const map = await load();
       const counts = classes.map(() => 0);
       for (const code of map.codes) ++counts[code];
+      const some = counts.slice(0, counted), all = some.reduce((a, b) => a + b, 0);
       return { ...map, colour: (i) => colours[map.codes[i]],
-        legend: classLegend(classes, counts.map((n) => n / map.codes.length), note) };
+        legend: classLegend(classes, some.map((n) => n / all), note) };
     },
   };
 }
@@ -67,9 +70,9 @@ function runLayers(scene, run, settings) {
   if (scene.truth) {
     layers.push(
       at("error", "error", rampLayer(page.ramps.error, () => errors(scene, run),
-        () => [0, page.errorSpan], " px and more", "no disparity or no truth")),
+        () => [0, page.errorSpan], " px", "no disparity or no truth", true)),
       at("bad", "bad pixels", classLayer(page.verdicts,
-        () => verdicts(scene, run, settings.delta, settings.region),
+        () => verdicts(scene, run, settings.delta, settings.region), page.verdicts.length - 1,
         () => `bad: off by more than ${settings.delta} px`)));
   }
   return layers.concat(...run.levels.map((level) => levelLayers(scene, level, run)));

@@ -33,7 +33,7 @@ function fillCurves() {
 
 function showCurve() {
   const { point } = explainedPoints(scene())[$("curve-point").value];
-  $("curve-plots").replaceChildren(...curvePlots(point));
+  $("curve-plots").replaceChildren(...explanationParts(point));
 }
 
 /** The explained pixel nearest to the chosen one, if it is near. */
