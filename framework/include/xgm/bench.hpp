@@ -73,9 +73,9 @@ XGM_API std::vector<FileIdentity> identify_program(const std::vector<std::string
 
 /// How maps are judged.
 struct BenchRules {
-  std::vector<double> thresholds{0.5, 1, 2, 4};  ///< px after scaling
-  double scale = 1;                              ///< see EvaluationRules; 0: that of each scene
-  bool clip = false;                             ///< to the scene's disparities
+  std::vector<double> thresholds = usual_thresholds();  ///< px after scaling
+  double scale = 1;   ///< see EvaluationRules; 0: that of each scene
+  bool clip = false;  ///< to the scene's disparities
   /// A region of evaluate_regions. Empty: "non-occluded", "all" where a scene does not tell them
   /// apart.
   std::string region;
