@@ -36,6 +36,7 @@ void add_list(CLI::App& app, Invocation& call);
 void add_describe(CLI::App& app, Invocation& call);
 void add_graph(CLI::App& app, Invocation& call);
 void add_schema(CLI::App& app, Invocation& call);
+void add_bench(CLI::App& app, Invocation& call);
 void add_scenes(CLI::App& app, Invocation& call);
 
 struct PluginOptions {

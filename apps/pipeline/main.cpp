@@ -45,10 +45,12 @@ int main(int argc, char** argv) {
   add_describe(app, call);
   add_graph(app, call);
   add_schema(app, call);
+  add_bench(app, call);
   add_scenes(app, call);
   if (argc > 1 && is_unknown(app, argv[1])) {
     spdlog::error(
-        "there is no subcommand '{}'; choose run, eval, check, list, describe, graph, schema or "
+        "there is no subcommand '{}'; choose run, eval, bench, check, list, describe, graph, "
+        "schema or "
         "scenes",
         argv[1]);
     return kUsage;

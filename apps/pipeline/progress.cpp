@@ -18,14 +18,14 @@ constexpr Seconds kPlainPeriod{1.0};
 constexpr double kLeastShare = 0.02;
 constexpr double kLeastSeconds = 0.5;
 
+}  // namespace
+
 std::string duration_text(double seconds) {
   const long whole = std::lround(seconds);
   if (whole < 100) return std::to_string(whole) + " s";
   const long minutes = std::lround(seconds / 60);
   return minutes < 100 ? std::to_string(minutes) + " min" : fmt::format("{:.1f} h", seconds / 3600);
 }
-
-}  // namespace
 
 Progress::Progress() : thread_([this] { work(); }) {}
 

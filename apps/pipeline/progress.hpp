@@ -10,6 +10,9 @@
 
 namespace xgm::cli {
 
+/// "40 s", "7 min", "2.5 h"
+std::string duration_text(double seconds);
+
 /// A thread of its own shows the state: on a terminal one line several times a second, elsewhere a
 /// log message every second.
 class Progress {

@@ -123,10 +123,12 @@ int run_checked(const RunOptions& options, const Pipeline& pipeline, const Plan&
 
   guard_memory(range);
   Dumper dumper((std::filesystem::path(options.output) / "dump").string(), options.dump);
-  RunObserver observer(progress, dumper);
+  LevelCollector levels;
+  RunObserver observer(progress, dumper, options.report ? &levels : nullptr);
   progress.begin("matching");
   const Stopwatch matching;
-  const Image left = depth ? scene.pair.base : Image();  // shares its pixels
+  // Shares its pixels.
+  const Image left = depth || options.report ? scene.pair.base : Image();
   const MatchResult result =
       pipeline.run({std::move(scene.pair), range, {}}, observer, options.threads);
   record.matching_seconds = matching.seconds();
@@ -147,8 +149,11 @@ int run_checked(const RunOptions& options, const Pipeline& pipeline, const Plan&
   record.peak_memory_bytes = peak_memory();
   const std::string depth_text = depth ? write_depth_files(*depth, map, left) : "";
   write_results(options.output, map, record);
+  if (options.report) {
+    write_report(options.output, left, scene.truth, map, levels.levels(), record);
+  }
   progress.end();
-  print_summary(options.output, record);
+  print_summary(options.output, record, options.report);
   std::cout << depth_text << std::flush;
   return judge(map, record);
 }

@@ -24,6 +24,7 @@ void RunObserver::stage_end(const std::string& stage_path, const StageStatistics
   spdlog::debug("{}: {:.3f} s, {:.1f} MB", stage_path, statistics.seconds,
                 static_cast<double>(statistics.bytes) / 1e6);
   if (dumper_.wants(stage_path)) dumper_.write(stage_path, result);
+  if (levels_ != nullptr) levels_->stage_end(stage_path, result);
 }
 
 void RunObserver::report(const std::string& stage_path, const std::string& name, double value) {

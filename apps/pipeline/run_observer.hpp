@@ -3,13 +3,16 @@
 #pragma once
 
 #include "progress.hpp"
+#include "xgm/report.hpp"
 #include "xgm/run_record.hpp"
 
 namespace xgm::cli {
 
 class RunObserver final : public RunRecorder {
  public:
-  RunObserver(Progress& progress, Dumper& dumper) : progress_(progress), dumper_(dumper) {}
+  /// `levels` may be null: nobody will look at them.
+  RunObserver(Progress& progress, Dumper& dumper, LevelCollector* levels)
+      : progress_(progress), dumper_(dumper), levels_(levels) {}
 
   void log(LogLevel level, const std::string& stage_path, const std::string& text) override;
   void stage_begin(const std::string& stage_path, const std::string& plugin) override;
@@ -21,6 +24,7 @@ class RunObserver final : public RunRecorder {
  private:
   Progress& progress_;
   Dumper& dumper_;
+  LevelCollector* levels_;
 };
 
 }  // namespace xgm::cli

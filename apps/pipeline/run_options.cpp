@@ -120,6 +120,9 @@ void add_run_options(CLI::App& command, RunOptions& options) {
                   "paths), to DIR/dump: '*' for all, '*.cost'")
       ->type_name("GLOB");
   add_truth(command, options);
+  command.add_flag("--report", options.report,
+                   "Also write DIR/report.html: one page, for any browser, without network, that "
+                   "shows maps, values, levels, times and configuration");
   add_depth(command, options);
   add_plugin_options(command, options.plugins);
   command

@@ -27,6 +27,7 @@ struct RunOptions {
   std::string log_level = "info";
   std::string truth;
   std::string truth_mask;
+  bool report = false;
   std::optional<double> truth_divisor;
   std::string cloud;
   std::string depth;

@@ -58,7 +58,19 @@ void write_results(const std::string& folder, const DisparityMap& map, const Run
   write_file(in(folder, "run.json"), to_json(record));  // last: it tells that all is there
 }
 
-void print_summary(const std::string& folder, const RunRecord& record) {
+void write_report(const std::string& folder, const Image& left, const GroundTruth& truth,
+                  const DisparityMap& map, const std::vector<ReportLevel>& levels,
+                  const RunRecord& record) {
+  const std::string name = std::filesystem::path(record.pipeline_file).stem().string();
+  Report report;
+  const std::filesystem::path path(record.scene);
+  const std::string scene = (path.has_filename() ? path : path.parent_path()).filename().string();
+  report.title = scene + ", " + name;
+  report.scenes = {{scene, left, truth, {{name, to_json(record), map, levels}}}};
+  write_file(in(folder, "report.html"), report_html(report));
+}
+
+void print_summary(const std::string& folder, const RunRecord& record, bool has_report) {
   std::cout << "map:     " << record.size.width << " x " << record.size.height << ", "
             << percent(record.valid_share) << " of the pixels have a disparity\n";
   for (const auto& [region, truth] : record.truth) {
@@ -77,6 +89,7 @@ void print_summary(const std::string& folder, const RunRecord& record) {
   for (const char* name : {"disparity.png", "disparity.pfm", "status.png", "run.json"}) {
     std::cout << ' ' << in(folder, name);
   }
+  if (has_report) std::cout << ' ' << in(folder, "report.html");
   std::cout << std::endl;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "xgm/data/disparity_map.hpp"
+#include "xgm/report.hpp"
 #include "xgm/run_record.hpp"
 
 namespace xgm::cli {
@@ -12,7 +13,12 @@ namespace xgm::cli {
 /// Writes disparity.pfm, disparity.png, status.png and run.json. Throws Error.
 void write_results(const std::string& folder, const DisparityMap& map, const RunRecord& record);
 
-void print_summary(const std::string& folder, const RunRecord& record);
+/// Writes report.html. Throws Error.
+void write_report(const std::string& folder, const Image& left, const GroundTruth& truth,
+                  const DisparityMap& map, const std::vector<ReportLevel>& levels,
+                  const RunRecord& record);
+
+void print_summary(const std::string& folder, const RunRecord& record, bool has_report);
 
 /// Warns of a map with few disparities, or with many at an end of the search range; the exit code:
 /// failed if there is none at all.

@@ -48,7 +48,7 @@ const Layer* layer_of(const std::string& header) {
       {"xgm/plugin.hpp", 3, "plugin"},    {"xgm/plugin/", 3, "plugin"},
       {"xgm/io/", 4, "facade"},           {"xgm/pipeline.hpp", 4, "facade"},
       {"xgm/lookup.hpp", 4, "facade"},    {"xgm/memory.hpp", 4, "facade"},
-      {"xgm/bench.hpp", 4, "facade"},     {"xgm/report.hpp", 4, "facade"},
+      {"xgm/bench", 4, "facade"},         {"xgm/report.hpp", 4, "facade"},
       {"xgm/explain.hpp", 4, "facade"},   {"xgm/synthesis.hpp", 4, "facade"},
       {"xgm/metrics.hpp", 4, "facade"},   {"xgm/sparsification.hpp", 4, "facade"},
       {"xgm/judgement.hpp", 4, "facade"}, {"xgm/run_record.hpp", 4, "facade"},

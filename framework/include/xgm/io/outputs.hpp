@@ -16,6 +16,9 @@ namespace xgm {
 /// the top left, pixel for pixel; narrow maps get a margin so that the legend fits.
 XGM_API cv::Mat3b disparity_picture(const DisparityMap& map);
 
+/// The colour of a status in pictures, blue-green-red. Colour-blind readers can tell them apart.
+XGM_API cv::Vec3b status_colour(Status status);
+
 /// One colour per status, with a legend of names and shares below.
 XGM_API cv::Mat3b status_picture(const DisparityMap& map);
 

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+// pipeline bench: many pipelines on many scenes.
+#include "xgm/bench.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "bench_options.hpp"
+#include "common.hpp"
+#include "progress.hpp"
+#include "xgm/base/parallel.hpp"
+#include "xgm/bench_process.hpp"
+#include "xgm/bench_submission.hpp"
+#include "xgm/bench_tables.hpp"
+#include "xgm/io/file.hpp"
+#include "xgm/lookup.hpp"
+
+namespace xgm::cli {
+namespace {
+
+constexpr int kSignalled = 128;  // shells add the signal's number
+
+std::vector<Override> joined(std::vector<Override> first, const std::vector<Override>& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
+/// All pipelines with all points of the sweeps; says all that is wrong, and then gives nothing.
+std::optional<std::vector<BenchPipeline>> load_pipelines(const BenchOptions& options,
+                                                         const Registry& registry) {
+  const std::vector<Override> overrides = parse_overrides(options.assignments);
+  std::vector<Sweep> sweeps;
+  for (const std::string& text : options.sweeps) sweeps.push_back(parse_sweep(text));
+  std::vector<BenchPipeline> pipelines;
+  bool sound = true;
+  for (const std::string& name : pipeline_names(options)) {
+    for (const SweepPoint& point : sweep_points(sweeps)) {
+      const std::vector<Override> all = joined(overrides, point.overrides);
+      const auto named = load_named(name, registry, all);
+      sound = sound && named;
+      if (!named) {
+        spdlog::error("so pipeline {}{} cannot be run", name, point.name);
+        continue;
+      }
+      pipelines.push_back({.name = std::filesystem::path(named->file).stem().string() + point.name,
+                           .file = named->file,
+                           .overrides = all,
+                           .resolved = named->pipeline.resolved_json(),
+                           .disparities = named->pipeline.disparities()});
+    }
+  }
+  if (!sound) return std::nullopt;
+  name_folders(pipelines);
+  return pipelines;
+}
+
+/// What cannot go well is not begun.
+void require_disparities(const BenchPlan& plan) {
+  for (const BenchPipeline& pipeline : plan.pipelines) {
+    for (const BenchScene& scene : plan.scenes) {
+      if (pipeline.disparities || scene.files.disparities) continue;
+      throw UsageError("scene " + scene.files.name + ", pipeline " + pipeline.name +
+                       ": nothing says which disparities to search; add a line ndisp=NUMBER to "
+                       "the scene's calib.txt, or --set 'disparities=[MIN, MAX]'");
+    }
+  }
+}
+
+std::vector<std::string> plugin_files(const Registry& registry) {
+  std::vector<std::string> files;
+  for (const PluginInfo* plugin : registry.plugins()) {
+    const bool known = std::find(files.begin(), files.end(), plugin->origin) != files.end();
+    if (!plugin->origin.empty() && !known) files.push_back(plugin->origin);
+  }
+  return files;
+}
+
+std::optional<BenchPlan> make_plan(const BenchOptions& options) {
+  const Registry registry = make_registry(options.plugins);
+  auto pipelines = load_pipelines(options, registry);
+  if (!pipelines) return std::nullopt;
+  BenchPlan plan{
+      .output = options.output,
+      .pipelines = std::move(*pipelines),
+      .scenes = find_bench_scenes(options.data, registry, options.dataset, options.scenes),
+      .program = identify_program(plugin_files(registry)),
+      .threads = options.threads > 0 ? options.threads : thread_count()};
+  require_disparities(plan);
+  if (!options.submit.empty()) check_submission(plan, options.submit, options.method);
+  identify_images(plan.scenes);
+  return plan;
+}
+
+void make_folder(const std::string& folder) {
+  std::error_code failure;
+  std::filesystem::create_directories(folder, failure);
+  const std::string trial = (std::filesystem::path(folder) / ".writable").string();
+  write_file(trial, "");
+  std::filesystem::remove(trial, failure);
+}
+
+std::vector<std::string> run_arguments(const BenchOptions& options, const BenchPlan& plan,
+                                       const BenchPipeline& pipeline, const BenchScene& scene,
+                                       const std::string& folder) {
+  std::vector<std::string> words{"run",         pipeline.file,    scene.data_folder,
+                                 "--scene",     scene.files.name, "--output",
+                                 folder,        "--threads",      std::to_string(plan.threads),
+                                 "--log-level", "warning"};
+  const auto add = [&](const std::string& option, const std::string& value) {
+    words.insert(words.end(), {option, value});
+  };
+  if (!options.dataset.empty()) add("--dataset", options.dataset);
+  for (const Override& change : pipeline.overrides) {
+    add("--set", change.path + "=" + change.value);
+  }
+  for (const std::string& file : options.plugins.files) add("--plugin", file);
+  return words;
+}
+
+/// Says where the bench stands: on the line that is rewritten, and in one that stays.
+void tell(const BenchProgress& at, Progress& progress) {
+  const std::string left =
+      at.seconds_left > 0 ? ", about " + duration_text(at.seconds_left) + " left" : "";
+  const std::string what =
+      fmt::format("run {} of {}{}: {} on {}", at.number, at.total, left, at.pipeline, at.scene);
+  if (!at.finished) {
+    progress.begin(what);
+  } else if (at.cell->state == CellState::failed) {
+    spdlog::warn("{} failed: {}", what, at.cell->failure);
+  } else {
+    spdlog::info("{}: {:.2f} s, {:.0f} MB", what, at.cell->seconds, at.cell->peak_bytes / 1e6);
+  }
+}
+
+void write_tables(const BenchResult& result) {
+  const std::filesystem::path folder(result.plan.output);
+  std::cout << bench_text(result) << "written:";
+  const auto write = [&](const char* name, const std::string& text) {
+    const std::string file = (folder / name).string();
+    write_file(file, text);
+    std::cout << ' ' << file;
+  };
+  write("bench.md", bench_markdown(result));
+  write("bench.csv", bench_csv(result));
+  write("bench.json", bench_json(result));
+  write("bench.html", bench_html(result));
+  std::cout << std::endl;
+}
+
+void submit(const BenchResult& result, const BenchOptions& options) {
+  const auto commands = write_submission(result, options.submit, options.method);
+  if (commands.size() < result.plan.pipelines.size()) {
+    spdlog::warn("--submit {}: left out are {} pipelines that are not done on all scenes",
+                 options.submit, result.plan.pipelines.size() - commands.size());
+  }
+  for (const std::string& command : commands) std::cout << "to pack: " << command << '\n';
+}
+
+int run_planned(const BenchOptions& options, const BenchPlan& plan, const BenchRules& rules) {
+  const Interruptible interruptible;
+  Progress progress;
+  const BenchHooks hooks{
+      .run =
+          [&](const BenchPipeline& pipeline, const BenchScene& scene, const std::string& folder) {
+            return run_this_program(run_arguments(options, plan, pipeline, scene, folder),
+                                    (std::filesystem::path(folder) / "log.txt").string());
+          },
+      .tell = [&](const BenchProgress& at) { tell(at, progress); }};
+  progress.begin("looking for what is done already");
+  const BenchResult result = run_bench(plan, rules, hooks);
+  progress.begin("writing the tables");
+  write_tables(result);
+  if (!options.submit.empty()) submit(result, options);
+  progress.end();
+  if (result.interrupted) {
+    spdlog::warn("interrupted; the same command goes on from here");
+    return kSignalled + Interruptible::signal();
+  }
+  return result.failures() == 0 ? kOk : kFailed;
+}
+
+int bench(const BenchOptions& options) {
+  const BenchRules rules = rules_of(options);
+  std::optional<BenchPlan> plan;
+  try {
+    plan = make_plan(options);
+    if (plan) make_folder(options.output);
+  } catch (const Error& error) {
+    throw UsageError(error.message());
+  }
+  return plan ? run_planned(options, *plan, rules) : kUsage;
+}
+
+}  // namespace
+
+void add_bench(CLI::App& app, Invocation& call) {
+  auto options = std::make_shared<BenchOptions>();
+  CLI::App* command =
+      app.add_subcommand("bench", "Run pipelines on the scenes of data sets, and compare them");
+  add_bench_options(*command, *options);
+  command->callback([options, &call] { call.exit_code = bench(*options); });
+}
+
+}  // namespace xgm::cli

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs in processes of their own: what one does to memory, or dies of, stays its own.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "xgm/base/export.hpp"
+#include "xgm/bench.hpp"
+
+namespace xgm {
+
+/// While it lives, SIGINT, SIGTERM and SIGHUP do not end the process, but are noted.
+class XGM_API Interruptible {
+ public:
+  Interruptible();
+  ~Interruptible();
+  Interruptible(const Interruptible&) = delete;
+  Interruptible& operator=(const Interruptible&) = delete;
+  /// The signal that came; 0 if none did.
+  static int signal();
+};
+
+/// Runs this program with other arguments, its output going to `log`, until it ends or this process
+/// is told to. `failure` is the last error that it printed, or how it ended.
+XGM_API RunOutcome run_this_program(const std::vector<std::string>& arguments,
+                                    const std::string& log);
+
+}  // namespace xgm

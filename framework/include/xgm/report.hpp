@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// Results as one page for people: a self-contained HTML file that needs no network, and shows its
+// pictures and tables without JavaScript, too.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "xgm/base/export.hpp"
+#include "xgm/data/disparity_map.hpp"
+#include "xgm/data/disparity_range.hpp"
+#include "xgm/data/ground_truth.hpp"
+#include "xgm/data/image.hpp"
+#include "xgm/stage/context.hpp"
+
+namespace xgm {
+
+/// One level of a pyramid, base view. All disparities are px of the level.
+struct ReportLevel {
+  std::string stage_path;               ///< "matcher.s4"
+  int scale = 1;                        ///< how many times smaller than the images it is
+  DisparityMap map;                     ///< as it left the level's matcher
+  std::optional<DisparityRange> range;  ///< what was searched; none: all of the run's range
+};
+
+/// One pipeline's result on one scene.
+struct ReportRun {
+  std::string name;                   ///< of the pipeline, unique in its scene
+  std::string record_json;            ///< content of run.json; may be empty
+  DisparityMap map;                   ///< of the base view, of the scene's size
+  std::vector<ReportLevel> levels{};  ///< coarsest first; empty without a pyramid
+  /// What is known of single pixels, for the cost curves: explain.json, an array of {x, y, levels:
+  /// [{scale, range: [first, last], costs, sums, winner, runner_up, ...}], ...}. May be empty; any
+  /// part of it may be missing.
+  std::string explanations_json{};
+};
+
+struct ReportScene {
+  std::string name;
+  Image left;
+  GroundTruth truth;  ///< as far as it is known; of the left view only the disparity and the
+                      ///< non-occluded mask are shown
+  std::vector<ReportRun> runs;
+};
+
+struct Report {
+  std::string title;
+  std::string tables_html{};  ///< shown above the pictures as it is: text in it is escaped already
+  std::vector<ReportScene> scenes;
+  /// The page is kept below, by showing only every second, third, ... pixel of large maps. Values
+  /// shown are always those of real pixels, and the page says which.
+  std::size_t max_bytes = 14'500'000;
+};
+
+/// The page. Throws Error if the maps, the truth and the image of a scene are not of one size, or
+/// a JSON text is none.
+XGM_API std::string report_html(const Report& report);
+
+/// Text as it stands in HTML, in attributes too: & < > " ' escaped, bytes that are no UTF-8
+/// replaced.
+XGM_API std::string html_text(const std::string& text);
+
+/// Keeps what a report shows of a pyramid's levels. Feed it from Observer::stage_end.
+class XGM_API LevelCollector {
+ public:
+  /// Copies the map of a level and the range it searched; anything else is not for it.
+  void stage_end(const std::string& stage_path, const Artifact& result);
+  /// The levels that have a map, coarsest first.
+  std::vector<ReportLevel> levels() const;
+
+ private:
+  ReportLevel& level(const std::string& stage_path, int scale);
+  std::vector<ReportLevel> levels_;
+};
+
+}  // namespace xgm

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// The page of a bench: its tables, and the maps of all cells side by side.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "bench/judge.hpp"
+#include "xgm/bench_tables.hpp"
+#include "xgm/io/image_io.hpp"
+#include "xgm/io/scene.hpp"
+#include "xgm/report.hpp"
+
+namespace xgm {
+namespace {
+
+// All maps are held at once while the page is written: so many pixels of them, 5 bytes each.
+constexpr double kMostPixels = 60e6;
+constexpr std::size_t kMostBytes = 40'000'000;
+
+/// Every step-th pixel of every step-th row, sharing nothing with `map`.
+template <class Pixel>
+cv::Mat_<Pixel> thinned(const cv::Mat_<Pixel>& map, int step) {
+  if (map.empty()) return map;
+  cv::Mat_<Pixel> few((map.rows + step - 1) / step, (map.cols + step - 1) / step);
+  for (int y = 0; y < few.rows; ++y) {
+    for (int x = 0; x < few.cols; ++x) few(y, x) = map(y * step, x * step);
+  }
+  return few;
+}
+
+Image thinned(const Image& image, int step) {
+  Image few;
+  for (const cv::Mat1f& plane : image.planes) few.planes.push_back(thinned(plane, step));
+  few.valid = thinned(image.valid, step);
+  return few;
+}
+
+DisparityMap thinned(const DisparityMap& map, int step) {
+  DisparityMap few;
+  few.disparity = thinned(map.disparity, step);
+  few.status = thinned(map.status, step);
+  return few;
+}
+
+ReportRun show(const BenchResult& result, std::size_t pipeline, std::size_t scene, int step) {
+  const std::string folder = cell_folder(result.plan, pipeline, scene);
+  DisparityMap map = read_result(folder);
+  read_statuses(folder, map);
+  return {.name = result.plan.pipelines[pipeline].name,
+          .record_json = read_file((std::filesystem::path(folder) / "run.json").string()),
+          .map = thinned(map, step)};
+}
+
+ReportScene show(const BenchResult& result, std::size_t scene) {
+  const BenchScene& where = result.plan.scenes[scene];
+  const Image left = read_pair(where.files.images).pair.base;
+  const auto maps = static_cast<double>(result.cells.size());
+  const int step =
+      std::max(1, static_cast<int>(std::ceil(std::sqrt(left.size().area() * maps / kMostPixels))));
+  ReportScene shown{.name = where.files.name, .left = thinned(left, step), .truth = {}, .runs = {}};
+  if (sets(result).size() > 1) shown.name = where.set + ", " + shown.name;
+  if (step > 1) shown.name += " (1 of " + std::to_string(step * step) + " pixels)";
+  const TruthFiles& truth = where.files.truth;
+  if (!truth.disparity.file.empty()) {
+    const GroundTruth all = load_truth(truth, left.size());
+    shown.truth.disparity = thinned(all.disparity, step);
+    shown.truth.non_occluded = thinned(all.non_occluded, step);
+  }
+  for (std::size_t i = 0; i < result.plan.pipelines.size(); ++i) {
+    if (result.at(i, scene).state == CellState::done) {
+      shown.runs.push_back(show(result, i, scene, step));
+    }
+  }
+  return shown;
+}
+
+bool any_done(const BenchResult& result, std::size_t scene) {
+  for (std::size_t i = 0; i < result.plan.pipelines.size(); ++i) {
+    if (result.at(i, scene).state == CellState::done) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::string bench_html(const BenchResult& result) {
+  Report report{.title = "Bench",
+                .tables_html = bench_tables_html(result),
+                .scenes = {},
+                .max_bytes = kMostBytes};
+  for (std::size_t scene = 0; scene < result.plan.scenes.size(); ++scene) {
+    if (any_done(result, scene)) report.scenes.push_back(show(result, scene));
+  }
+  return report_html(report);
+}
+
+}  // namespace xgm

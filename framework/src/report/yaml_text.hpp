@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// A resolved pipeline as YAML for reading and for running again.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace xgm::report {
+
+/// Short maps and lists of plain values stand in one line, as in the shipped pipelines.
+std::string yaml_text(const nlohmann::ordered_json& value);
+
+}  // namespace xgm::report
