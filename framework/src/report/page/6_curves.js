@@ -78,12 +78,12 @@ function matchPlot(match, title) {
   ...curve(costs, toX, "costs"), ...curve(sums, toX, "sums"), ...axis(first, count, toX)));
 }
 
-function levelPlots(level) {
+function levelPlot(level) {
   const title = `Level ${scaleName(level.scale ?? 1)}`;
   const plots = [matchPlot(level, `${title}:`)];
   if (level.reverse) {
     plots.push(element("details", {}, element("summary", {}, `${title}, from the right image`),
       matchPlot(level.reverse, "At the pixel that the winner points at:")));
   }
-  return plots;
+  return element("div", {}, ...plots);
 }
