@@ -124,10 +124,13 @@ int run_checked(const RunOptions& options, const Pipeline& pipeline, const Plan&
     record.truth = evaluate_regions(map, scene.truth, {.deltas = usual_thresholds()});
   }
   record.peak_memory_bytes = peak_memory();
-  write_results(options.output, map, record);
   if (options.report) {
-    write_report(options.output, left, scene.truth, map, levels.levels(), record);
+    ReportRun shown;
+    shown.map = map;
+    shown.levels = levels.levels();
+    write_report(options.output, record, left, scene.truth, std::move(shown));
   }
+  write_results(options.output, map, record);
   progress.end();
   print_summary(options.output, record, options.report);
   return judge(map, record);
