@@ -148,10 +148,13 @@ int run_checked(const RunOptions& options, const Pipeline& pipeline, const Plan&
   }
   record.peak_memory_bytes = peak_memory();
   const std::string depth_text = depth ? write_depth_files(*depth, map, left) : "";
-  write_results(options.output, map, record);
   if (options.report) {
-    write_report(options.output, left, scene.truth, map, levels.levels(), record);
+    ReportRun shown;
+    shown.map = map;
+    shown.levels = levels.levels();
+    write_report(options.output, record, left, scene.truth, std::move(shown));
   }
+  write_results(options.output, map, record);
   progress.end();
   print_summary(options.output, record, options.report);
   std::cout << depth_text << std::flush;

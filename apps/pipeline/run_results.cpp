@@ -58,15 +58,14 @@ void write_results(const std::string& folder, const DisparityMap& map, const Run
   write_file(in(folder, "run.json"), to_json(record));  // last: it tells that all is there
 }
 
-void write_report(const std::string& folder, const Image& left, const GroundTruth& truth,
-                  const DisparityMap& map, const std::vector<ReportLevel>& levels,
-                  const RunRecord& record) {
-  const std::string name = std::filesystem::path(record.pipeline_file).stem().string();
-  Report report;
-  const std::filesystem::path path(record.scene);
+void write_report(const std::string& folder, const RunRecord& record, const Image& left,
+                  const GroundTruth& truth, ReportRun run) {
+  namespace fs = std::filesystem;
+  const fs::path path(record.scene);
   const std::string scene = (path.has_filename() ? path : path.parent_path()).filename().string();
-  report.title = scene + ", " + name;
-  report.scenes = {{scene, left, truth, {{name, to_json(record), map, levels}}}};
+  run.name = fs::path(record.pipeline_file).stem().string();
+  run.record_json = to_json(record);
+  Report report{scene + ", " + run.name, {}, {{scene, left, truth, {std::move(run)}}}};
   write_file(in(folder, "report.html"), report_html(report));
 }
 

@@ -13,10 +13,9 @@ namespace xgm::cli {
 /// Writes disparity.pfm, disparity.png, status.png and run.json. Throws Error.
 void write_results(const std::string& folder, const DisparityMap& map, const RunRecord& record);
 
-/// Writes report.html. Throws Error.
-void write_report(const std::string& folder, const Image& left, const GroundTruth& truth,
-                  const DisparityMap& map, const std::vector<ReportLevel>& levels,
-                  const RunRecord& record);
+/// Writes report.html; the run's name and record are filled in. Throws Error.
+void write_report(const std::string& folder, const RunRecord& record, const Image& left,
+                  const GroundTruth& truth, ReportRun run);
 
 void print_summary(const std::string& folder, const RunRecord& record, bool has_report);
 

@@ -119,9 +119,7 @@ cv::Mat3b disparity_picture(const DisparityMap& map) {
   return canvas;
 }
 
-cv::Vec3b status_colour(Status status) {
-  return kStatusColours[static_cast<std::size_t>(status)];
-}
+cv::Vec3b status_colour(Status status) { return kStatusColours[static_cast<std::size_t>(status)]; }
 
 cv::Mat3b status_picture(const DisparityMap& map) {
   cv::Mat3b colours(map.size());

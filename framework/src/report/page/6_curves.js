@@ -2,7 +2,8 @@
 // One plot of a pixel's costs per level. Any part of an explanation may be missing.
 "use strict";
 
-const kPlot = { width: 640, height: 170, left: 12, right: 12, top: 10, bottom: 26 };
+// As wide as it will be shown on a phone, so that its text can be read there.
+const kPlot = { width: window.innerWidth < 640 ? 360 : 600, height: 170, left: 12, right: 12, top: 10, bottom: 26 };
 
 function svg(tag, attributes, ...children) {
   const node = document.createElementNS("http://www.w3.org/2000/svg", tag);
@@ -78,12 +79,12 @@ function matchPlot(match, title) {
   ...curve(costs, toX, "costs"), ...curve(sums, toX, "sums"), ...axis(first, count, toX)));
 }
 
-function levelPlots(level) {
+function levelPlot(level) {
   const title = `Level ${scaleName(level.scale ?? 1)}`;
   const plots = [matchPlot(level, `${title}:`)];
   if (level.reverse) {
     plots.push(element("details", {}, element("summary", {}, `${title}, from the right image`),
       matchPlot(level.reverse, "At the pixel that the winner points at:")));
   }
-  return plots;
+  return element("div", {}, ...plots);
 }

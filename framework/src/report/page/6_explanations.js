@@ -23,7 +23,8 @@ function explanationParts(point) {
   const parts = [point.verdict, point.diagnosis].filter(Boolean)
     .map((text) => element("p", {}, text));
   if (levels.length > 0) {
-    parts.push(curveLegend(), ...levels.flatMap(levelPlots), element("p", { className: "note" },
+    const plots = element("div", { className: "plots" }, ...levels.map(levelPlot));
+    parts.push(curveLegend(), plots, element("p", { className: "note" },
       "Each curve spans the height between its own smallest and largest value; a gap is a " +
       "disparity that cannot be matched. Disparities are px of the level."));
   } else {
