@@ -55,7 +55,7 @@ class Composer {
     texture.scale = scale_ * real(0.8, 1.5);
     texture.contrast = real(95, 190);
     const double grey = real(85, 165);
-    for (double& level : texture.level) level = grey + (options_.colour ? real(-38, 38) : 0);
+    for (double& level : texture.level) level = grey + (options_.colour ? real(-28, 28) : 0);
     surfaces_.push_back(surface);
   }
 
@@ -256,7 +256,8 @@ class Composer {
     Shape shape = place(0.08, 0.16, room);
     turn(shape, 0.1);
     slant(shape, room);
-    shape.outline = {Outline::Kind::fence, 0, real(11, 24) * scale_, real(1.2, 2.6) * scale_};
+    shape.outline = {Outline::Kind::fence, 0, real(11, 24) * scale_,
+                     std::max(1.2, real(1.2, 2.6) * scale_)};
     add(shape, Texture::Kind::noise);
   }
 

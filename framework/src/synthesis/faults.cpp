@@ -45,7 +45,7 @@ std::vector<FaultKind> list() {
          [](F& f) -> double& { return f.noise; }}}},
       {"gamma",
        "The right view has another tone curve.",
-       {{"exponent", "", 3, 0.05, 20, [](F& f) -> double& { return f.gamma; }}}},
+       {{"exponent", "", 4, 0.05, 20, [](F& f) -> double& { return f.gamma; }}}},
       {"vertical",
        "Rows of the right view are shifted by a x + b y + c.",
        {{"a", "px per px", 0, -0.9, 0.9, [](F& f) -> double& { return f.vertical.a; }},

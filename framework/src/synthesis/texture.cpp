@@ -128,13 +128,13 @@ double tint(const Texture& t, const Paint& painted, cv::Point2d p, int channel) 
 
 /// How much of the contrast is left at a point.
 double strength(const Texture& t, cv::Point2d p) {
-  if (t.weak <= 0) return 1;
+  if (t.weak <= 0 || t.weak_share <= 0) return 1;
   if (t.weak_share >= 1) return 1 - t.weak;
-  const double size = 90 * t.scale;
-  // The noise is below 0.3 + 0.4 s in about the share s of all places.
-  const double inside =
-      (0.3 + 0.4 * t.weak_share - value_noise(t.key + 61, p.x / size, p.y / size)) / 0.06 + 0.5;
-  return 1 - t.weak * smooth_step(inside);
+  const double size = 48 * t.scale;
+  const double noise = value_noise(t.key + 61, p.x / size, p.y / size);
+  // Values near 0 and 1 are rare: this limit is above about the share asked for.
+  const double limit = 0.12 + 0.76 * t.weak_share;
+  return 1 - t.weak * smooth_step((limit - noise) / 0.06 + 0.5);
 }
 
 /// The same in every period: columns of blobs with sharp and soft edges.
