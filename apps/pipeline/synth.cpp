@@ -2,6 +2,7 @@
 // pipeline synth: make scenes whose truth is known.
 #include <spdlog/spdlog.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <memory>
