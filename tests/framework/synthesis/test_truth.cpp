@@ -26,12 +26,14 @@ struct Side {
   cv::Mat1f image, other_image;
   cv::Mat1f truth, other_truth;
   cv::Mat1b visible;
+  double sign = 1;  ///< what is nearer has a larger sign * disparity
 };
 
 Side side(const GeneratedScene& scene, bool reverse) {
   const cv::Mat1f base = scene.pair.base.grey(), match = scene.pair.match.grey();
-  if (reverse) return {match, base, scene.reverse_truth, scene.truth, scene.reverse_non_occluded};
-  return {base, match, scene.truth, scene.reverse_truth, scene.non_occluded};
+  if (reverse)
+    return {match, base, scene.reverse_truth, scene.truth, scene.reverse_non_occluded, -1};
+  return {base, match, scene.truth, scene.reverse_truth, scene.non_occluded, 1};
 }
 
 /// A windowed sinc through 12 pixels: images through a lens are smooth enough for it.
@@ -92,13 +94,11 @@ enum class Verdict { seen, hidden, undecided };
 Verdict brute_force(const Side& s, int y, int x) {
   const double d = static_cast<double>(s.truth(y, x)), x_other = x - d;
   if (x_other < 0 || x_other > s.truth.cols - 1) return Verdict::hidden;
-  // A reverse disparity is nearer if its magnitude says so: base disparities are -(reverse ones).
-  const double sign = cv::mean(s.truth)[0] < cv::mean(s.other_truth)[0] ? -1 : 1;
   int same = 0, nearer = 0;
   for (const double column : {std::floor(x_other), std::ceil(x_other)}) {
     const double other = -static_cast<double>(s.other_truth(y, static_cast<int>(column)));
     if (std::abs(other - d) < 0.5) ++same;
-    if (sign * (other - d) > 0.5) ++nearer;
+    if (s.sign * (other - d) > 0.5) ++nearer;
   }
   return same == 2 ? Verdict::seen : nearer == 2 ? Verdict::hidden : Verdict::undecided;
 }
