@@ -2,6 +2,7 @@
 // What the user asked of "pipeline run".
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,14 +25,14 @@ struct RunOptions {
   std::string log_level = "info";
   std::string truth;
   std::string truth_mask;
-  double truth_scale = 1;
+  std::optional<double> truth_divisor;
   PluginOptions plugins;
 };
 
 void add_run_options(CLI::App& command, RunOptions& options);
 
-/// "MIN:MAX", both included. Throws UsageError.
-Interval parse_disparities(const std::string& text);
+/// "MIN:MAX", both included. Throws UsageError, which names the option.
+Interval parse_disparities(const std::string& text, const std::string& option = "--disparities");
 /// "min.pfm,max.pfm". Throws UsageError.
 std::pair<std::string, std::string> parse_range_maps(const std::string& text);
 
