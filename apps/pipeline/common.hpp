@@ -38,6 +38,7 @@ void add_graph(CLI::App& app, Invocation& call);
 void add_schema(CLI::App& app, Invocation& call);
 void add_bench(CLI::App& app, Invocation& call);
 void add_scenes(CLI::App& app, Invocation& call);
+void add_synth(CLI::App& app, Invocation& call);
 
 struct PluginOptions {
   std::vector<std::string> files;  ///< --plugin

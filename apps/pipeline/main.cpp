@@ -18,6 +18,14 @@ bool is_unknown(const CLI::App& app, const char* subcommand) {
   return subcommand[0] != '-' && app.get_subcommands(has_the_name).empty();
 }
 
+std::string names_of_subcommands(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* known : app.get_subcommands({})) names.push_back(known->get_name());
+  const std::string last = names.back();
+  names.pop_back();
+  return fmt::format("{} or {}", fmt::join(names, ", "), last);
+}
+
 /// What was asked for has to arrive: a full disk behind stdout is a failure.
 int finish(int exit_code) {
   if (std::cout.flush()) return exit_code;
@@ -47,12 +55,9 @@ int main(int argc, char** argv) {
   add_schema(app, call);
   add_bench(app, call);
   add_scenes(app, call);
+  add_synth(app, call);
   if (argc > 1 && is_unknown(app, argv[1])) {
-    spdlog::error(
-        "there is no subcommand '{}'; choose run, eval, bench, check, list, describe, graph, "
-        "schema or "
-        "scenes",
-        argv[1]);
+    spdlog::error("there is no subcommand '{}'; choose {}", argv[1], names_of_subcommands(app));
     return kUsage;
   }
   try {

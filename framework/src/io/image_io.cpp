@@ -148,5 +148,7 @@ void write_encoded(const std::string& file, const cv::Mat& image) {
 
 void write_png(const std::string& file, const cv::Mat1b& image) { write_encoded(file, image); }
 void write_png(const std::string& file, const cv::Mat3b& image) { write_encoded(file, image); }
+void write_png(const std::string& file, const cv::Mat1w& image) { write_encoded(file, image); }
+void write_png(const std::string& file, const cv::Mat3w& image) { write_encoded(file, image); }
 
 }  // namespace xgm

@@ -32,6 +32,7 @@ void Report::fail(const char* rule, const std::string& place) {
 
 double chance(std::uint64_t key, int y, int x, int d) {
   const auto bits = [](int value) { return static_cast<std::uint64_t>(value); };
+  using namespace random_bits;
   return unit(mix(mix(mix(mix(key) + bits(y)) + bits(x)) + bits(d)));
 }
 

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "support/support.hpp"
+#include "xgm/synthesis.hpp"
 #include "xgm/testing/synthetic.hpp"
 
 using namespace xgm;
@@ -207,4 +208,17 @@ TEST_CASE("ransac_deskew: images of many tiles are matched across tile borders")
   Listener listener;
   deskewed(make_scene(options).pair, listener);
   CHECK(corner_error(listener.model(), options.shift, options.size) < 0.1);
+}
+
+TEST_CASE("ransac_deskew: recovers dy = 0.01 y + 1.3 to 0.1 px in rooms full of things") {
+  for (std::uint64_t seed = 21; seed <= 24; ++seed) {
+    synthesis::Options options;  // 640 x 480, 64 disparities
+    options.seed = seed;
+    synthesis::plant(options.faults, "vertical=0,0.01,1.3");
+    Listener listener;
+    deskewed(synthesis::generate(options).pair, listener);
+    const double error = corner_error(listener.model(), options.faults.vertical, options.size);
+    MESSAGE("seed ", seed, ": ", error, " px at the worst corner");
+    CHECK(error < 0.1);
+  }
 }

@@ -48,8 +48,10 @@ XGM_API DisparityMap read_map(const std::string& file, std::optional<double> div
 /// tell 128 from 255), other depths as 255 where they are not zero. Throws Error.
 XGM_API cv::Mat1b read_mask(const std::string& file);
 
-/// Write a PNG of 8 bit, grey or blue-green-red. Complete or not at all. Throw Error.
+/// Write a PNG of 8 or 16 bit, grey or blue-green-red. Complete or not at all. Throw Error.
 XGM_API void write_png(const std::string& file, const cv::Mat1b& image);
 XGM_API void write_png(const std::string& file, const cv::Mat3b& image);
+XGM_API void write_png(const std::string& file, const cv::Mat1w& image);
+XGM_API void write_png(const std::string& file, const cv::Mat3w& image);
 
 }  // namespace xgm

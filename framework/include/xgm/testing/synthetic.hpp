@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Generated stereo pairs whose truth is known exactly: for tests, first steps and plugin writers.
+// Generated stereo pairs for tests, first steps and plugin writers: plain ones of
+// xgm/synthesis.hpp, seen without a lens, so that each pixel shows exactly what lies at its centre.
 #pragma once
 
 #include <cstdint>
@@ -7,19 +8,12 @@
 
 #include "xgm/base/export.hpp"
 #include "xgm/data/disparity_range.hpp"
-#include "xgm/data/image.hpp"
+#include "xgm/synthesis.hpp"
 
 namespace xgm::testing {
 
-/// Rows that do not align: what a rectified pair would show at (x, y) of the match image is found
-/// at (x, y + a * x + b * y + c) of the one delivered. Pixels; b > -1.
-struct VerticalShift {
-  double a = 0;
-  double b = 0;
-  double c = 0;
-
-  double at(double x, double y) const { return a * x + b * y + c; }
-};
+using synthesis::VerticalShift;
+using SyntheticScene = synthesis::GeneratedScene;
 
 struct SceneOptions {
   cv::Size size{160, 120};
@@ -32,16 +26,6 @@ struct SceneOptions {
   double noise = 0;             ///< standard deviation in both views, grey levels
   VerticalShift shift;          ///< of the match image
   bool whole_levels = true;     ///< round to whole grey levels, as an 8-bit camera does
-};
-
-/// A pair and all that is true of it. The sight is that of a pinhole: a pixel belongs to the
-/// surface seen through its centre, and shows that surface's continuous texture at this very point.
-struct SyntheticScene {
-  ImagePair pair;
-  cv::Mat1f truth;          ///< exact disparity of every base pixel
-  cv::Mat1f reverse_truth;  ///< the same of every match pixel (x_base = x_match - d)
-  cv::Mat1b non_occluded;   ///< 255 where a base pixel is seen in the match image, else 0
-  Interval disparities;     ///< what a matcher has to search: as asked for
 };
 
 /// A slanted textured background with objects before it. The same options give the same bytes on
