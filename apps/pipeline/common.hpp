@@ -35,6 +35,7 @@ void add_list(CLI::App& app, Invocation& call);
 void add_describe(CLI::App& app, Invocation& call);
 void add_graph(CLI::App& app, Invocation& call);
 void add_schema(CLI::App& app, Invocation& call);
+void add_explain(CLI::App& app, Invocation& call);
 
 struct PluginOptions {
   std::vector<std::string> files;  ///< --plugin

@@ -44,9 +44,11 @@ int main(int argc, char** argv) {
   add_describe(app, call);
   add_graph(app, call);
   add_schema(app, call);
+  add_explain(app, call);
   if (argc > 1 && is_unknown(app, argv[1])) {
-    spdlog::error("there is no subcommand '{}'; choose run, check, list, describe, graph or schema",
-                  argv[1]);
+    spdlog::error(
+        "there is no subcommand '{}'; choose run, check, list, describe, graph, schema or explain",
+        argv[1]);
     return kUsage;
   }
   try {

@@ -8,6 +8,8 @@
 
 #include "common.hpp"
 #include "console.hpp"
+#include "explain_pixels.hpp"
+#include "run.hpp"
 #include "run_inputs.hpp"
 #include "run_observer.hpp"
 #include "run_options.hpp"
@@ -46,6 +48,8 @@ void make_folder(const std::string& folder) {
   }
 }
 
+}  // namespace
+
 /// Before matching: a mistake in these files should not cost the user a run.
 void read_truth(const RunOptions& options, Scene& scene) {
   if (options.truth.empty()) return;
@@ -59,7 +63,6 @@ void read_truth(const RunOptions& options, Scene& scene) {
   evaluate(DisparityMap(scene.pair.size()), scene.truth.disparity, {}, scene.truth.non_occluded);
 }
 
-/// Running out of memory must be an error, not the end of the process.
 void guard_memory(const DisparityRange& range) {
   const std::uint64_t available = available_memory();
   limit_memory(available);
@@ -75,6 +78,8 @@ void guard_memory(const DisparityRange& range) {
   }
 }
 
+namespace {
+
 RunRecord begin_record(const RunOptions& options, const NamedPipeline& named,
                        const std::vector<Override>& overrides, const Plan& plan) {
   RunRecord record;
@@ -87,7 +92,7 @@ RunRecord begin_record(const RunOptions& options, const NamedPipeline& named,
 }
 
 int run_checked(const RunOptions& options, const Pipeline& pipeline, const Plan& plan,
-                RunRecord record) {
+                const ExplainPixels& explained, RunRecord record) {
   Progress progress;
   progress.begin("reading the images");
   const Stopwatch reading;
@@ -104,6 +109,8 @@ int run_checked(const RunOptions& options, const Pipeline& pipeline, const Plan&
   guard_memory(range);
   Dumper dumper((std::filesystem::path(options.output) / "dump").string(), options.dump);
   RunObserver observer(progress, dumper);
+  const auto explainer = make_explainer(explained, scene);
+  if (!explained.empty()) observer.show_to(*explainer);
   progress.begin("matching");
   const Stopwatch matching;
   const MatchResult result =
@@ -124,6 +131,7 @@ int run_checked(const RunOptions& options, const Pipeline& pipeline, const Plan&
     record.truth = evaluate_regions(map, scene.truth, {.deltas = kTruthThresholds});
   }
   record.peak_memory_bytes = peak_memory();
+  if (!explained.empty()) write_explanations(options.output, explainer->explanations());
   write_results(options.output, map, record);
   progress.end();
   print_summary(options.output, record);
@@ -137,10 +145,11 @@ int run(const RunOptions& options, const std::vector<std::string>& command_line)
   const auto named = load_named(options.pipeline, registry, overrides);
   if (!named) return kUsage;
   const Plan plan = make_plan(options, named->pipeline);
+  const ExplainPixels explained = parse_explain(options.explain);
   make_folder(options.output);
   RunRecord record = begin_record(options, *named, overrides, plan);
   record.command_line = command_line;
-  return run_checked(options, named->pipeline, plan, std::move(record));
+  return run_checked(options, named->pipeline, plan, explained, std::move(record));
 }
 
 }  // namespace

@@ -11,16 +11,22 @@ class RunObserver final : public RunRecorder {
  public:
   RunObserver(Progress& progress, Dumper& dumper) : progress_(progress), dumper_(dumper) {}
 
+  /// All of it also goes to `other`, which outlives the run.
+  void show_to(Observer& other) { other_ = &other; }
+
   void log(LogLevel level, const std::string& stage_path, const std::string& text) override;
   void stage_begin(const std::string& stage_path, const std::string& plugin) override;
   void stage_end(const std::string& stage_path, const StageStatistics& statistics,
                  const Artifact& result) override;
+  void stage_input(const std::string& stage_path, const Artifact& input) override;
   void report(const std::string& stage_path, const std::string& name, double value) override;
   void progress(double share) override { progress_.share(share); }
 
  private:
   Progress& progress_;
   Dumper& dumper_;
+  Observer nobody_;
+  Observer* other_ = &nobody_;
 };
 
 }  // namespace xgm::cli

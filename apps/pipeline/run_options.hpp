@@ -25,10 +25,13 @@ struct RunOptions {
   std::string truth;
   std::string truth_mask;
   double truth_scale = 1;
+  std::vector<std::string> explain;  ///< "X,Y" or "every=N"
   PluginOptions plugins;
 };
 
 void add_run_options(CLI::App& command, RunOptions& options);
+/// The same but for what is written; `place` takes "[SCENE_DIR] X Y".
+void add_explain_options(CLI::App& command, RunOptions& options, std::vector<std::string>& place);
 
 /// "MIN:MAX", both included. Throws UsageError.
 Interval parse_disparities(const std::string& text);

@@ -58,6 +58,10 @@ void write_results(const std::string& folder, const DisparityMap& map, const Run
   write_file(in(folder, "run.json"), to_json(record));  // last: it tells that all is there
 }
 
+void write_explanations(const std::string& folder, const std::vector<Explanation>& explanations) {
+  write_file(in(folder, "explain.json"), to_json(explanations));
+}
+
 void print_summary(const std::string& folder, const RunRecord& record) {
   std::cout << "map:     " << record.size.width << " x " << record.size.height << ", "
             << percent(record.valid_share) << " of the pixels have a disparity\n";

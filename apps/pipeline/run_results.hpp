@@ -3,14 +3,19 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "xgm/data/disparity_map.hpp"
+#include "xgm/explain.hpp"
 #include "xgm/run_record.hpp"
 
 namespace xgm::cli {
 
 /// Writes disparity.pfm, disparity.png, status.png and run.json. Throws Error.
 void write_results(const std::string& folder, const DisparityMap& map, const RunRecord& record);
+
+/// Writes explain.json. Throws Error.
+void write_explanations(const std::string& folder, const std::vector<Explanation>& explanations);
 
 void print_summary(const std::string& folder, const RunRecord& record);
 
