@@ -126,7 +126,7 @@ std::string to_text(const Explanation& explanation) {
   text += "\n\nwhat happened (disparities in px of the level; s8 = 1/8 of the size)\n" +
           events_text(explanation.events) +
           "\nlevels (W winner, R runner-up = best local minimum not beside it";
-  text += std::string(explanation.truth ? ", T truth" : "") + "; sums in units of the cost)\n";
+  text += std::string(explanation.truth ? ", T truth" : "") + "; sums in cost units)\n";
   for (const LevelExplanation& level : explanation.levels) text += level_text(level);
   text += "\n";
   if (!explanation.diagnosis.empty()) text += wrapped("where: " + explanation.diagnosis, 7);

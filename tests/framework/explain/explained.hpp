@@ -43,7 +43,8 @@ inline Explained explain_all(const std::string& yaml, const SyntheticScene& scen
 }
 
 inline SyntheticScene small_scene(std::uint64_t seed = 3) {
-  return make_scene({.size = {61, 43}, .disparities = {0, 12}, .seed = seed, .objects = 3});
+  return make_scene(
+      {.size = {61, 43}, .disparities = {0, 12}, .seed = seed, .objects = 3, .shift = {}});
 }
 
 inline PixelState state_at(const DisparityMap& map, int y, int x) {

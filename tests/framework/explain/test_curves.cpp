@@ -119,7 +119,7 @@ TEST_CASE("the range of each level is what its volume was made for") {
       REQUIRE(level.scale == 1 << shift);
       const cv::Point at = level.forward.pixel;
       REQUIRE(at == cv::Point(pixel.pixel.x >> shift, pixel.pixel.y >> shift));
-      const std::string name = "matcher.s" + std::to_string(1 << shift);
+      const std::string name = "matcher.s" + std::to_string(1 << shift) + ".matcher";
       const auto check = [&](const MatchExplanation& match, const std::string& view) {
         const VolumeShape& shape = *recorder.shapes.at(name + "." + view + ".matcher.cost");
         const int y = match.pixel.y, x = match.pixel.x;

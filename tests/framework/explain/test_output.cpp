@@ -55,7 +55,8 @@ TEST_CASE("JSON holds the complete curves, null where nothing matches, and reads
 }
 
 TEST_CASE("the text is ASCII, at most 100 columns wide, and ends with the reason") {
-  const SyntheticScene wide = make_scene({.size = {400, 6}, .disparities = {-20, 250}});
+  const SyntheticScene wide =
+      make_scene({.size = {400, 6}, .disparities = {-20, 250}, .shift = {}});
   for (const Explained& explained : {refined(small_scene()), refined(wide)}) {
     for (const Explanation& pixel : explained.pixels) {
       const std::string text = to_text(pixel);
@@ -111,7 +112,7 @@ TEST_CASE("the truth is compared with the winner, and the diagnosis says where i
 }
 
 TEST_CASE("long ranges are binned, and every mark is drawn") {
-  const SyntheticScene scene = make_scene({.size = {400, 6}, .disparities = {0, 260}});
+  const SyntheticScene scene = make_scene({.size = {400, 6}, .disparities = {0, 260}, .shift = {}});
   const Explained explained = explain_all(
       "matcher: {type: semi_global, cost: census, penalty: {type: constant, p1: 24, p2: 96}, "
       "aggregation: {type: sgm, directions: 4}}",
