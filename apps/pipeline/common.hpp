@@ -30,6 +30,7 @@ struct Invocation {
 
 /// Every subcommand adds itself, and leaves its exit code in `call`.
 void add_run(CLI::App& app, Invocation& call);
+void add_eval(CLI::App& app, Invocation& call);
 void add_check(CLI::App& app, Invocation& call);
 void add_list(CLI::App& app, Invocation& call);
 void add_describe(CLI::App& app, Invocation& call);

@@ -35,10 +35,11 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", "xgm " XGM_VERSION);
   app.require_subcommand(1);
   app.footer(
-      "Exit codes: 0 done; 1 the run failed or its map is empty; 2 usage or configuration (no "
-      "image has been opened).");
+      "Exit codes: 0 done; 1 the run failed or its map is empty; 2 usage or configuration (run: "
+      "no image has been opened).");
   Invocation call{{argv + 1, argv + argc}};
   add_run(app, call);
+  add_eval(app, call);
   add_check(app, call);
   add_list(app, call);
   add_describe(app, call);
@@ -47,7 +48,8 @@ int main(int argc, char** argv) {
   add_explain(app, call);
   if (argc > 1 && is_unknown(app, argv[1])) {
     spdlog::error(
-        "there is no subcommand '{}'; choose run, check, list, describe, graph, schema or explain",
+        "there is no subcommand '{}'; choose run, eval, explain, check, list, describe, graph or "
+        "schema",
         argv[1]);
     return kUsage;
   }

@@ -22,8 +22,6 @@
 namespace xgm::cli {
 namespace {
 
-const std::vector kTruthThresholds = {0.5, 1.0, 2.0, 4.0};  // px
-
 class Stopwatch {
  public:
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
@@ -53,7 +51,7 @@ void make_folder(const std::string& folder) {
 /// Before matching: a mistake in these files should not cost the user a run.
 void read_truth(const RunOptions& options, Scene& scene) {
   if (options.truth.empty()) return;
-  scene.truth = {.disparity = read_disparities(options.truth, options.truth_scale)};
+  scene.truth = {.disparity = read_disparities(options.truth, options.truth_divisor)};
   scene.inputs.push_back({"truth", options.truth, identify_file(options.truth)});
   if (!options.truth_mask.empty()) {
     scene.truth.non_occluded = read_mask(options.truth_mask);
@@ -128,7 +126,7 @@ int run_checked(const RunOptions& options, const Pipeline& pipeline, const Plan&
   record.valid_share = map.valid_share();
   record.status_shares = status_shares(map);
   if (!scene.truth.disparity.empty()) {
-    record.truth = evaluate_regions(map, scene.truth, {.deltas = kTruthThresholds});
+    record.truth = evaluate_regions(map, scene.truth, {.deltas = usual_thresholds()});
   }
   record.peak_memory_bytes = peak_memory();
   if (!explained.empty()) write_explanations(options.output, explainer->explanations());

@@ -77,15 +77,14 @@ void add_matching(CLI::App& command, RunOptions& options) {
 void add_truth(CLI::App& command, RunOptions& options) {
   auto* truth = command
                     .add_option("--truth", options.truth,
-                                "True disparities to compare with: PFM, or 8- or 16-bit PNG (0 = "
-                                "none)")
+                                "True disparities to compare with: PFM, or 8- or 16-bit PNG with "
+                                "--truth-divisor (0 = none)")
                     ->type_name("FILE")
                     ->check(existing_file());
   command
-      .add_option("--truth-scale", options.truth_scale,
+      .add_option("--truth-divisor,--truth-scale", options.truth_divisor,
                   "What the truth's values are divided by to give px (KITTI: 256)")
       ->type_name("NUMBER")
-      ->check(CLI::PositiveNumber)
       ->needs(truth);
   command
       .add_option("--truth-mask", options.truth_mask,
@@ -152,15 +151,15 @@ void add_explain_options(CLI::App& command, RunOptions& options, std::vector<std
   add_surroundings(command, options);
 }
 
-Interval parse_disparities(const std::string& text) {
+Interval parse_disparities(const std::string& text, const std::string& option) {
   const std::size_t colon = text.find(':');
   int first = 0, last = 0;
   if (colon == std::string::npos || !parse_whole(text.substr(0, colon), first) ||
       !parse_whole(text.substr(colon + 1), last)) {
-    throw UsageError("--disparities " + text + ": write MIN:MAX in whole px, for example 0:63");
+    throw UsageError(option + " " + text + ": write MIN:MAX in whole px, for example 0:63");
   }
   if (first > last) {
-    throw UsageError("--disparities " + text + ": the smallest comes first; did you mean " +
+    throw UsageError(option + " " + text + ": the smallest comes first; did you mean " +
                      std::to_string(last) + ":" + std::to_string(first) + "?");
   }
   return {first, last + 1};

@@ -2,6 +2,7 @@
 // What the user asked of "pipeline run".
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,7 +25,7 @@ struct RunOptions {
   std::string log_level = "info";
   std::string truth;
   std::string truth_mask;
-  double truth_scale = 1;
+  std::optional<double> truth_divisor;
   std::vector<std::string> explain;  ///< "X,Y" or "every=N"
   PluginOptions plugins;
 };
@@ -33,8 +34,8 @@ void add_run_options(CLI::App& command, RunOptions& options);
 /// The same but for what is written; `place` takes "[SCENE_DIR] X Y".
 void add_explain_options(CLI::App& command, RunOptions& options, std::vector<std::string>& place);
 
-/// "MIN:MAX", both included. Throws UsageError.
-Interval parse_disparities(const std::string& text);
+/// "MIN:MAX", both included. Throws UsageError, which names the option.
+Interval parse_disparities(const std::string& text, const std::string& option = "--disparities");
 /// "min.pfm,max.pfm". Throws UsageError.
 std::pair<std::string, std::string> parse_range_maps(const std::string& text);
 

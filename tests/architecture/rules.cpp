@@ -43,14 +43,15 @@ struct Layer {
 
 const Layer* layer_of(const std::string& header) {
   static const std::vector<Layer> layers{
-      {"xgm/base/", 0, "base"},         {"xgm/data/", 1, "data"},
-      {"xgm/config/", 1, "config"},     {"xgm/stage/", 2, "stage"},
-      {"xgm/plugin.hpp", 3, "plugin"},  {"xgm/plugin/", 3, "plugin"},
-      {"xgm/io/", 4, "facade"},         {"xgm/pipeline.hpp", 4, "facade"},
-      {"xgm/lookup.hpp", 4, "facade"},  {"xgm/memory.hpp", 4, "facade"},
-      {"xgm/bench.hpp", 4, "facade"},   {"xgm/report.hpp", 4, "facade"},
-      {"xgm/explain.hpp", 4, "facade"}, {"xgm/synthesis.hpp", 4, "facade"},
-      {"xgm/metrics.hpp", 4, "facade"}, {"xgm/run_record.hpp", 4, "facade"},
+      {"xgm/base/", 0, "base"},           {"xgm/data/", 1, "data"},
+      {"xgm/config/", 1, "config"},       {"xgm/stage/", 2, "stage"},
+      {"xgm/plugin.hpp", 3, "plugin"},    {"xgm/plugin/", 3, "plugin"},
+      {"xgm/io/", 4, "facade"},           {"xgm/pipeline.hpp", 4, "facade"},
+      {"xgm/lookup.hpp", 4, "facade"},    {"xgm/memory.hpp", 4, "facade"},
+      {"xgm/bench.hpp", 4, "facade"},     {"xgm/report.hpp", 4, "facade"},
+      {"xgm/explain.hpp", 4, "facade"},   {"xgm/synthesis.hpp", 4, "facade"},
+      {"xgm/metrics.hpp", 4, "facade"},   {"xgm/sparsification.hpp", 4, "facade"},
+      {"xgm/judgement.hpp", 4, "facade"}, {"xgm/run_record.hpp", 4, "facade"},
       {"xgm/testing/", 5, "testing"}};
   for (const Layer& layer : layers)
     if (header.starts_with(layer.beginning)) return &layer;

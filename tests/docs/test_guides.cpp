@@ -45,6 +45,8 @@ void write_inputs(const TemporaryFolder& folder) {
     write_png(folder / name, everywhere);
   }
   folder.write("scene/calib.txt", "ndisp=32\n");
+  write_pfm(folder / "scene/disp0GT.pfm", scene.truth);
+  write_png(folder / "scene/mask0nocc.png", scene.non_occluded);
   write_pfm(folder / "truth.pfm", scene.truth);
   write_pfm(folder / "min.pfm", cv::Mat1f(scene.truth - 4));
   write_pfm(folder / "max.pfm", cv::Mat1f(scene.truth + 4));

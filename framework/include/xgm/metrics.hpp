@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // How far a disparity map is from the truth: the figures of the paper's section 4.2, as defined by
-// the Middlebury stereo evaluation, version 3, and those of KITTI.
+// the Middlebury stereo evaluation, version 3, and those of KITTI. docs/evaluate.md explains them.
 #pragma once
 
 #include <cstdint>
@@ -14,6 +14,9 @@
 #include "xgm/data/ground_truth.hpp"
 
 namespace xgm {
+
+/// Where programs judge unless they are told otherwise, px.
+inline std::vector<double> usual_thresholds() { return {0.5, 1, 2, 4}; }
 
 struct EvaluationRules {
   std::vector<double> deltas;  ///< thresholds, px after scaling
@@ -29,7 +32,7 @@ struct EvaluationRules {
 struct ThresholdScore {
   double delta = 1;  ///< px after scaling
   double bad = 0;    ///< has a disparity, but more than delta off
-  double total = 0;  ///< bad + invalid
+  double total = 0;  ///< invalid + bad, to the last bit
 };
 
 /// Errors are those of pixels that have both a disparity and a truth, px after scaling; NaN if
@@ -43,7 +46,9 @@ struct Evaluation {
   double a90 = 0;
   double a95 = 0;
   double a99 = 0;
-  double d1 = 0;  ///< share with an error above 3 px and above 5 % of the truth, or no disparity
+  /// KITTI 2015's D1: share with an error above 3 px (after scaling) and above 5 % of the truth, or
+  /// without a disparity. KITTI fills holes before it counts; here holes count as errors.
+  double d1 = 0;
   std::vector<ThresholdScore> at;  ///< one per threshold asked for, in that order
 
   double coverage() const { return 1 - invalid; }
@@ -55,15 +60,31 @@ struct Evaluation {
 XGM_API Evaluation evaluate(const DisparityMap& map, const cv::Mat1f& truth,
                             const EvaluationRules& rules, const cv::Mat1b& mask = {});
 
-/// The figures of one part of the scene.
+/// A part of the scene that is judged on its own.
+struct Region {
+  std::string name;
+  cv::Mat1b mask;  ///< 255 = belongs to it; empty = every pixel does
+};
+
+/// In this order, as far as the truth tells them apart and they have pixels with a truth:
+/// - "all"
+/// - "non-occluded": 255 in the mask of non-occluded pixels
+/// - "occluded": 128 in that mask if it has that value (Middlebury V3: 0 = not known), otherwise
+///   every other value than 255
+/// - "near discontinuities": non-occluded, and within 4 px (a window of 9 x 9) of a pixel whose
+///   true disparity differs from a horizontal or vertical neighbour's by more than 2 px of the map
+///   (Scharstein and Szeliski, IJCV 2002, section 5.1: eval_disp_gap, eval_discont_width)
+/// - "background", "foreground": 0 and not 0 in the object map (Menze and Geiger, CVPR 2015)
+/// "all" is there even without pixels. Throws Error if the maps differ in size.
+XGM_API std::vector<Region> regions_of(const GroundTruth& truth);
+
+/// The figures of one region.
 struct RegionEvaluation {
-  std::string region;  ///< "all", "non-occluded", "occluded", "near discontinuities", ...
+  std::string region;
   Evaluation evaluation;
 };
 
-/// Judges "all" of the truth and, as far as the truth tells them apart and they have pixels,
-/// "non-occluded", "occluded" and "near discontinuities" pixels, KITTI's "background" and
-/// "foreground". In this order. Throws Error like evaluate.
+/// Judges all regions_of the truth. Throws Error like evaluate.
 XGM_API std::vector<RegionEvaluation> evaluate_regions(const DisparityMap& map,
                                                        const GroundTruth& truth,
                                                        const EvaluationRules& rules);

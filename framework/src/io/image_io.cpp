@@ -123,22 +123,6 @@ ReadPair read_pair(const PairFiles& files) {
   return result;
 }
 
-cv::Mat1f read_disparities(const std::string& file, double divisor) {
-  if (!(divisor > 0)) throw Error(file + ": the divisor of its values must be above 0");
-  Raster raster = read_raster(file);
-  cv::Mat1f map = raster.planes.front();
-  const bool whole_numbers = raster.depth == CV_8U || raster.depth == CV_16U;
-  for (int y = 0; y < map.rows; ++y) {
-    for (int x = 0; x < map.cols; ++x) {
-      const bool none =
-          whole_numbers ? map(y, x) == 0 : !raster.valid.empty() && !raster.valid(y, x);
-      map(y, x) =
-          none ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(map(y, x) / divisor);
-    }
-  }
-  return map;
-}
-
 cv::Mat1b read_mask(const std::string& file) {
   const Raster raster = read_raster(file);
   cv::Mat1f largest = raster.planes.front();

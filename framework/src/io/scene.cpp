@@ -55,6 +55,14 @@ std::optional<Interval> read_ndisp(const std::string& file) {
   return std::nullopt;
 }
 
+TruthFiles find_truth(const fs::path& folder) {
+  TruthFiles truth;
+  const fs::path disparity = folder / "disp0GT.pfm", mask = folder / "mask0nocc.png";
+  if (fs::is_regular_file(disparity)) truth.disparity.file = disparity.string();
+  if (fs::is_regular_file(mask)) truth.non_occluded = mask.string();
+  return truth;
+}
+
 void note_masked_share(const Image& image, const char* which, std::vector<std::string>& notes) {
   if (image.valid.empty()) return;
   const double share = 1 - cv::countNonZero(image.valid) / static_cast<double>(image.valid.total());
@@ -81,6 +89,7 @@ SceneFiles find_scene(const std::string& folder) {
     files.calibration_file = calibration.string();
     files.disparities = read_ndisp(files.calibration_file);
   }
+  files.truth = find_truth(folder);
   return files;
 }
 

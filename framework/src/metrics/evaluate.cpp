@@ -3,28 +3,14 @@
 #include <cmath>
 #include <limits>
 
+#include "metrics/errors.hpp"
 #include "xgm/base/error.hpp"
-#include "xgm/metrics.hpp"
 
 namespace xgm {
 namespace {
 
-constexpr std::uint8_t kJudged = 255;
 constexpr double kD1Pixels = 3;      // KITTI 2015: an outlier is off by more than this ...
 constexpr double kD1Relative = .05;  // ... and by more than this share of the true disparity
-
-void require_size(cv::Size size, cv::Size wanted, const char* what) {
-  if (size == wanted) return;
-  throw Error(std::string("the ") + what + " is " + std::to_string(size.width) + " x " +
-              std::to_string(size.height) + " pixels but the map is " +
-              std::to_string(wanted.width) + " x " + std::to_string(wanted.height) + "; give the " +
-              what + " of the left image");
-}
-
-double clipped(double disparity, Interval bounds) {
-  if (bounds.empty()) return disparity;
-  return std::clamp(disparity, static_cast<double>(bounds.begin), bounds.end - 1.0);
-}
 
 /// What a map's judged pixels amount to.
 struct Errors {
@@ -38,18 +24,15 @@ Errors collect(const DisparityMap& map, const cv::Mat1f& truth, const Evaluation
   Errors errors;
   for (int y = 0; y < truth.rows; ++y) {
     for (int x = 0; x < truth.cols; ++x) {
-      if (!std::isfinite(truth(y, x)) || (!mask.empty() && mask(y, x) != kJudged)) continue;
+      if (!is_judged(truth, mask, y, x)) continue;
       if (!map.valid(y, x)) {
         ++errors.invalid;
         continue;
       }
-      const double wanted = static_cast<double>(truth(y, x));
-      const double found = clipped(static_cast<double>(map.disparity(y, x)), rules.clip);
-      const double error = rules.scale * std::abs(found - wanted);
+      const double error = error_at(map, truth, rules, y, x);
+      const double truth_scaled = rules.scale * std::abs(static_cast<double>(truth(y, x)));
       errors.values.push_back(error);
-      const bool outlier =
-          error > kD1Pixels && error > kD1Relative * rules.scale * std::abs(wanted);
-      errors.outliers += outlier ? 1 : 0;
+      errors.outliers += error > kD1Pixels && error > kD1Relative * truth_scaled ? 1 : 0;
     }
   }
   return errors;
@@ -83,7 +66,29 @@ void describe_no_errors(Evaluation& result) {
   }
 }
 
+double clipped(double disparity, Interval bounds) {
+  if (bounds.empty()) return disparity;
+  return std::clamp(disparity, static_cast<double>(bounds.begin), bounds.end - 1.0);
+}
+
 }  // namespace
+
+void require_size(cv::Size size, cv::Size map, const char* what) {
+  if (size == map) return;
+  throw Error(std::string("the ") + what + " is " + std::to_string(size.width) + " x " +
+              std::to_string(size.height) + " pixels but the map is " + std::to_string(map.width) +
+              " x " + std::to_string(map.height) + "; give the " + what + " of the same view");
+}
+
+bool is_judged(const cv::Mat1f& truth, const cv::Mat1b& mask, int y, int x) {
+  return std::isfinite(truth(y, x)) && (mask.empty() || mask(y, x) == kJudged);
+}
+
+double error_at(const DisparityMap& map, const cv::Mat1f& truth, const EvaluationRules& rules,
+                int y, int x) {
+  const double found = clipped(static_cast<double>(map.disparity(y, x)), rules.clip);
+  return rules.scale * std::abs(found - static_cast<double>(truth(y, x)));
+}
 
 Evaluation evaluate(const DisparityMap& map, const cv::Mat1f& truth, const EvaluationRules& rules,
                     const cv::Mat1b& mask) {

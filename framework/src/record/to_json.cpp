@@ -2,6 +2,8 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/core/version.hpp>
 
+#include "metrics/evaluation_json.hpp"
+#include "record/inputs_json.hpp"
 #include "xgm/plugin/handshake.hpp"
 #include "xgm/plugin/version.hpp"
 #include "xgm/run_record.hpp"
@@ -18,17 +20,6 @@ Json versions() {
           {"opencv", CV_VERSION},
           {"compiler", __VERSION__},
           {"build", XGM_BUILD_TAG}};
-}
-
-Json inputs(const RunRecord& record) {
-  Json list = Json::array();
-  for (const InputFile& input : record.inputs) {
-    list.push_back({{"role", input.role},
-                    {"file", input.file},
-                    {"bytes", input.identity.bytes},
-                    {"fnv1a64", input.identity.fnv1a64}});
-  }
-  return list;
 }
 
 Json stages(const RunRecord& record) {
@@ -52,25 +43,6 @@ Json statuses(const RunRecord& record) {
         record.status_shares[static_cast<std::size_t>(i)];
   }
   return shares;
-}
-
-Json truth(const std::string& region, const Evaluation& evaluation) {
-  Json json = {{"region", region},
-               {"judged_pixels", evaluation.judged},
-               {"invalid", evaluation.invalid},
-               {"average_error_px", evaluation.average_error},
-               {"rms_px", evaluation.rms},
-               {"a50_px", evaluation.a50},
-               {"a90_px", evaluation.a90},
-               {"a95_px", evaluation.a95},
-               {"a99_px", evaluation.a99},
-               {"d1", evaluation.d1},
-               {"thresholds", Json::array()}};
-  for (const ThresholdScore& score : evaluation.at) {
-    json["thresholds"].push_back(
-        {{"delta_px", score.delta}, {"bad", score.bad}, {"total", score.total}});
-  }
-  return json;
 }
 
 Json overrides(const RunRecord& record) {
@@ -104,7 +76,7 @@ std::string to_json(const RunRecord& record) {
   json["scene"] = {{"name", record.scene},
                    {"width", record.size.width},
                    {"height", record.size.height},
-                   {"inputs", inputs(record)}};
+                   {"inputs", to_json(record.inputs)}};
   json["disparities"] = {{"first", record.disparities.begin},
                          {"last", record.disparities.end - 1},
                          {"from", record.disparities_from}};
@@ -113,9 +85,7 @@ std::string to_json(const RunRecord& record) {
   json["peak_memory_bytes"] = record.peak_memory_bytes;
   json["valid_share"] = record.valid_share;
   json["status_shares"] = statuses(record);
-  for (const auto& [region, evaluation] : record.truth) {
-    json["truth"].push_back(truth(region, evaluation));
-  }
+  if (!record.truth.empty()) json["truth"] = to_json(record.truth);
   json["stages"] = stages(record);
   json["warnings"] = record.warnings;
   if (!record.dumps.empty()) json["dumps"] = dumps(record);

@@ -180,3 +180,29 @@ TEST_CASE("true disparities: PFM as they are, PNG by the divisor with 0 for none
   CHECK(map(2) == 0);
   CHECK(contains(error_of([&] { read_disparities(folder / "t.pfm", 0); }), "divisor"));
 }
+
+TEST_CASE("disparities: a negative divisor turns the signs, and grey may be stored as colour") {
+  const TemporaryFolder folder;
+  const cv::Mat3b grey = (cv::Mat3b(1, 2) << cv::Vec3b(40, 40, 40), cv::Vec3b(0, 0, 0));
+  cv::imwrite(folder / "grey.png", grey);
+  const cv::Mat1f map = read_disparities(folder / "grey.png", -4);
+  CHECK(map(0) == -10);
+  CHECK(std::isnan(map(1)));
+  const DisparityMap read = read_map(folder / "grey.png", 4);
+  CHECK(read.at(0, 0) == Status::valid);
+  CHECK(read.at(0, 1) == Status::out_of_range);
+}
+
+TEST_CASE("disparities: pictures of them are refused, and why") {
+  const TemporaryFolder folder;
+  const auto refusal = [&](const cv::Mat& image, std::optional<double> divisor) {
+    cv::imwrite(folder / "picture.png", image);
+    return error_of([&] { read_disparities(folder / "picture.png", divisor); });
+  };
+  const cv::Mat3b colour = (cv::Mat3b(1, 2) << cv::Vec3b(40, 40, 41), cv::Vec3b(0, 0, 0));
+  CHECK(contains(refusal(colour, {}), "colour picture"));
+  CHECK(contains(refusal(colour, 4), "colour picture"));
+  CHECK(contains(refusal(cv::Mat1b(1, 2, 9), {}), "whole numbers (8-bit)"));
+  CHECK(contains(refusal(cv::Mat1w(1, 2, 900), {}), "whole numbers (16-bit)"));
+  CHECK(refusal(cv::Mat1b(1, 2, 9), 1).empty());
+}

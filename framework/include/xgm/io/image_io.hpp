@@ -2,10 +2,12 @@
 // Reads image pairs of any common format into grey levels 0 to 255.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "xgm/base/export.hpp"
+#include "xgm/data/disparity_map.hpp"
 #include "xgm/data/image.hpp"
 #include "xgm/data/scene_files.hpp"
 
@@ -31,9 +33,16 @@ struct ReadPair {
 /// has another number of channels, and for images of different size or depth.
 XGM_API ReadPair read_pair(const PairFiles& files);
 
-/// Reads ground truth: PFM (not finite = none) or an 8- or 16-bit PNG/PGM whose value / divisor is
-/// the disparity in pixels, 0 = none. NaN where there is none. Throws Error.
-XGM_API cv::Mat1f read_disparities(const std::string& file, double divisor = 1);
+/// Reads disparities: PFM or another float image (px, not finite = none), or an image of whole
+/// numbers (PNG, PGM, ...) whose value / divisor is the disparity in pixels, 0 = none. NaN where
+/// there is none. A negative divisor makes the house's signs of reverse maps that are stored as
+/// positive numbers. Throws Error, naming the file and the remedy; also for pictures of
+/// disparities: colour images whose channels differ, and whole numbers without a divisor that says
+/// what they mean.
+XGM_API cv::Mat1f read_disparities(const std::string& file, std::optional<double> divisor = {});
+
+/// A map from such a file: pixels with a disparity are valid, the others out of range.
+XGM_API DisparityMap read_map(const std::string& file, std::optional<double> divisor = {});
 
 /// Reads a mask of one channel, or the largest of several: 8-bit values as they are (benchmarks
 /// tell 128 from 255), other depths as 255 where they are not zero. Throws Error.

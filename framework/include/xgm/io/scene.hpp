@@ -33,11 +33,19 @@ struct Scene {
 };
 
 /// A Middlebury or ETH3D folder: im0 and im1 (png, ppm, pgm, pfm, tif, tiff, jpg, jpeg or bmp) and,
-/// if there is one, calib.txt, of which only ndisp is used. Throws Error.
+/// if they are there, calib.txt, of which only ndisp is used, the truth disp0GT.pfm and the mask
+/// mask0nocc.png. Throws Error.
 XGM_API SceneFiles find_scene(const std::string& folder);
 
 /// Reads the images. Throws Error.
 XGM_API Scene load_scene(const SceneFiles& files);
+
+/// Reads what is true of a scene whose left image has this size; files that are not given leave
+/// their maps empty. `visible` stands in for a missing mask of non-occluded pixels. Throws Error.
+XGM_API GroundTruth load_truth(const TruthFiles& files, cv::Size size);
+
+/// The truth among the files that were read, with their parts.
+XGM_API std::vector<InputFile> identify_truth(const TruthFiles& files);
 
 /// A small generated pair with known disparities, for a first run without data.
 XGM_API Scene sample_scene();

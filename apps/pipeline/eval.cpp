@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// pipeline eval: how good is a disparity map?
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "common.hpp"
+#include "eval_options.hpp"
+#include "eval_table.hpp"
+#include "xgm/io/file.hpp"
+#include "xgm/io/image_io.hpp"
+
+namespace xgm::cli {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* kStandardOutput = "-";
+
+/// The files that are compared, before any is opened.
+struct Comparison {
+  std::string map;
+  std::string confidence;  ///< "" = none
+  std::optional<SceneFiles> scene;
+};
+
+Comparison find_files(const EvalOptions& options) {
+  Comparison files{options.map, options.confidence, {}};
+  if (fs::is_directory(options.map)) {
+    const fs::path folder = options.map;
+    files.map = (folder / "disparity.pfm").string();
+    if (!fs::is_regular_file(files.map)) {
+      throw UsageError(options.map +
+                       ": has no disparity.pfm; give the output folder of a run, or "
+                       "the file to judge");
+    }
+    const fs::path confidence = folder / "confidence.pfm";
+    if (files.confidence.empty() && fs::is_regular_file(confidence)) {
+      files.confidence = confidence.string();
+    }
+  }
+  if (options.scene.empty() && options.truth.empty()) {
+    throw UsageError("nothing says what is true; add --truth FILE or a SCENE_DIR");
+  }
+  if (!options.scene.empty()) {
+    files.scene = find_scene(options.scene);
+    if (files.scene->truth.disparity.file.empty()) {
+      throw UsageError(options.scene + ": has no truth (disp0GT.pfm); give one with --truth FILE");
+    }
+  }
+  return files;
+}
+
+GroundTruth read_truth(const EvalOptions& options, const Comparison& files, cv::Size size) {
+  if (files.scene) return load_truth(files.scene->truth, size);
+  GroundTruth truth;
+  truth.disparity = read_disparities(options.truth, options.truth_divisor);
+  if (!options.mask.empty()) truth.non_occluded = read_mask(options.mask);
+  if (!options.objects.empty()) truth.objects = read_mask(options.objects);
+  return truth;
+}
+
+std::vector<InputFile> identify(const EvalOptions& options, const Comparison& files) {
+  std::vector<InputFile> inputs{{"map", files.map, identify_file(files.map)}};
+  TruthFiles truth;
+  if (files.scene) {
+    truth = files.scene->truth;
+  } else {
+    truth.disparity.file = options.truth;
+    truth.non_occluded = options.mask;
+    truth.objects = options.objects;
+  }
+  for (const InputFile& input : identify_truth(truth)) inputs.push_back(input);
+  if (!files.confidence.empty()) {
+    inputs.push_back({"confidence", files.confidence, identify_file(files.confidence)});
+  }
+  return inputs;
+}
+
+Judgement judge(const EvalOptions& options) {
+  Judgement judgement;
+  judgement.rules = parse_rules(options);
+  const Comparison files = find_files(options);
+  judgement.rules.clip =
+      parse_clip(options.clip, files.scene ? files.scene->disparities : std::nullopt);
+  const DisparityMap map = read_map(files.map, options.divisor);
+  const GroundTruth truth = read_truth(options, files, map.size());
+  judgement.size = map.size();
+  judgement.regions = evaluate_regions(map, truth, judgement.rules);
+  if (!files.confidence.empty()) {
+    judgement.confidence =
+        sparsification_by_region(map, truth, read_disparities(files.confidence), judgement.rules);
+  }
+  judgement.inputs = identify(options, files);
+  return judgement;
+}
+
+void write(const std::string& file, const std::string& text) {
+  if (file == kStandardOutput) {
+    std::cout << text;
+  } else if (!file.empty()) {
+    write_file(file, text);
+  }
+}
+
+int eval(const EvalOptions& options) {
+  const bool json_only = options.json == kStandardOutput, csv_only = options.csv == kStandardOutput;
+  if (json_only && csv_only) {
+    throw UsageError("--json - and --csv - cannot share standard output; give one of them a file");
+  }
+  Judgement judgement;
+  try {
+    judgement = judge(options);
+  } catch (const Error& error) {
+    throw UsageError(error.message());  // files that cannot be compared are the caller's mistake
+  }
+  write(options.json, to_json(judgement));
+  write(options.csv, to_csv(judgement));
+  if (!json_only && !csv_only) std::cout << table(judgement);
+  return kOk;
+}
+
+}  // namespace
+
+void add_eval(CLI::App& app, Invocation& call) {
+  auto options = std::make_shared<EvalOptions>();
+  CLI::App* command = app.add_subcommand("eval", "Compare a disparity map with the truth");
+  add_eval_options(*command, *options);
+  command->callback([options, &call] { call.exit_code = eval(*options); });
+}
+
+}  // namespace xgm::cli

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// The figures of an evaluation for people: tables at most 80 columns wide.
+#pragma once
+
+#include <string>
+
+#include "xgm/judgement.hpp"
+
+namespace xgm::cli {
+
+/// Rows are regions; shares are in percent, errors in px.
+std::string table(const Judgement& judgement);
+
+}  // namespace xgm::cli

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "metrics/evaluation_json.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "xgm/base/error.hpp"
+
+namespace xgm {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// One list for both directions.
+constexpr std::array kFigures = {std::pair{"invalid", &Evaluation::invalid},
+                                 std::pair{"average_error_px", &Evaluation::average_error},
+                                 std::pair{"rms_px", &Evaluation::rms},
+                                 std::pair{"a50_px", &Evaluation::a50},
+                                 std::pair{"a90_px", &Evaluation::a90},
+                                 std::pair{"a95_px", &Evaluation::a95},
+                                 std::pair{"a99_px", &Evaluation::a99},
+                                 std::pair{"d1", &Evaluation::d1}};
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
+double number(const Json& json) {
+  return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
+}
+
+Json to_json(const SparsificationCurve& curve) {
+  return {{"value", curve.value},
+          {"optimal", curve.optimal},
+          {"area", curve.area},
+          {"optimal_area", curve.optimal_area}};
+}
+
+}  // namespace
+
+Json to_json(const RegionEvaluation& region) {
+  const Evaluation& evaluation = region.evaluation;
+  Json json = {{"region", region.region}, {"judged_pixels", evaluation.judged}};
+  for (const auto& [name, figure] : kFigures) json[name] = number(evaluation.*figure);
+  json["coverage"] = evaluation.coverage();
+  json["thresholds"] = Json::array();
+  for (const ThresholdScore& score : evaluation.at) {
+    json["thresholds"].push_back(
+        {{"delta_px", score.delta}, {"bad", score.bad}, {"total", score.total}});
+  }
+  return json;
+}
+
+Json to_json(const std::vector<RegionEvaluation>& evaluations) {
+  Json json = Json::array();
+  for (const RegionEvaluation& region : evaluations) json.push_back(to_json(region));
+  return json;
+}
+
+RegionEvaluation evaluation_from_json(const Json& json) {
+  try {
+    RegionEvaluation region{json.at("region").get<std::string>(), {}};
+    Evaluation& evaluation = region.evaluation;
+    evaluation.judged = json.at("judged_pixels").get<std::int64_t>();
+    for (const auto& [name, figure] : kFigures) evaluation.*figure = number(json.at(name));
+    for (const Json& score : json.at("thresholds")) {
+      evaluation.at.push_back({score.at("delta_px").get<double>(), score.at("bad").get<double>(),
+                               score.at("total").get<double>()});
+    }
+    return region;
+  } catch (const Json::exception& error) {
+    throw Error(std::string("an evaluation cannot be read from JSON: ") + error.what() +
+                "; make it again");
+  }
+}
+
+std::vector<RegionEvaluation> evaluations_from_json(const Json& json) {
+  if (!json.is_array()) throw Error("evaluations cannot be read from JSON: not a list");
+  std::vector<RegionEvaluation> evaluations;
+  for (const Json& region : json) evaluations.push_back(evaluation_from_json(region));
+  return evaluations;
+}
+
+Json to_json(const RegionSparsification& region) {
+  const Sparsification& sparsification = region.sparsification;
+  Json json = {{"region", region.region},
+               {"pixels", sparsification.pixels},
+               {"kept", sparsification.kept},
+               {"thresholds", Json::array()},
+               {"average_error_px", to_json(sparsification.average_error)}};
+  for (std::size_t i = 0; i < sparsification.deltas.size(); ++i) {
+    json["thresholds"].push_back(
+        {{"delta_px", sparsification.deltas[i]}, {"bad", to_json(sparsification.bad[i])}});
+  }
+  return json;
+}
+
+}  // namespace xgm
