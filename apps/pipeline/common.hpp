@@ -39,6 +39,7 @@ void add_schema(CLI::App& app, Invocation& call);
 void add_bench(CLI::App& app, Invocation& call);
 void add_scenes(CLI::App& app, Invocation& call);
 void add_synth(CLI::App& app, Invocation& call);
+void add_explain(CLI::App& app, Invocation& call);
 
 struct PluginOptions {
   std::vector<std::string> files;  ///< --plugin

@@ -56,6 +56,7 @@ int main(int argc, char** argv) {
   add_bench(app, call);
   add_scenes(app, call);
   add_synth(app, call);
+  add_explain(app, call);
   if (argc > 1 && is_unknown(app, argv[1])) {
     spdlog::error("there is no subcommand '{}'; choose {}", argv[1], names_of_subcommands(app));
     return kUsage;

@@ -9,6 +9,7 @@
 
 #include "common.hpp"
 #include "console.hpp"
+#include "explain_pixels.hpp"
 #include "run_depth.hpp"
 #include "run_inputs.hpp"
 #include "run_observer.hpp"
@@ -46,51 +47,6 @@ void make_folder(const std::string& folder) {
   }
 }
 
-/// All that can be wrong with the truth is found by judging an empty map.
-void require_judgeable(const Scene& scene) {
-  evaluate(DisparityMap(scene.pair.size()), scene.truth.disparity, {}, scene.truth.non_occluded);
-}
-
-/// Before matching: a mistake in these files should not cost the user a run.
-void read_truth(const RunOptions& options, Scene& scene) {
-  scene.truth = {.disparity = read_disparities(options.truth, options.truth_divisor)};
-  scene.inputs.push_back({"truth", options.truth, identify_file(options.truth)});
-  if (!options.truth_mask.empty()) {
-    scene.truth.non_occluded = read_mask(options.truth_mask);
-    scene.inputs.push_back({"truth mask", options.truth_mask, identify_file(options.truth_mask)});
-  }
-  require_judgeable(scene);
-}
-
-/// What comes with the scene is a help, no wish of the user: if it is of no use, the run goes on.
-void read_truth_of_scene(const SceneFiles& files, Scene& scene) {
-  try {
-    scene.truth = load_truth(files.truth, scene.pair.size());
-    if (scene.truth.disparity.empty()) return;
-    require_judgeable(scene);
-    for (InputFile& file : identify_truth(files.truth)) scene.inputs.push_back(std::move(file));
-  } catch (const Error& error) {
-    scene.truth = {};
-    spdlog::warn("the scene's truth is not used: {}", error.message());
-  }
-}
-
-/// Running out of memory must be an error, not the end of the process.
-void guard_memory(const DisparityRange& range) {
-  const std::uint64_t available = available_memory();
-  limit_memory(available);
-  const double cells = static_cast<double>(range.size().area()) * range.hull().size();
-  constexpr double kBytesPerCell = 3;  // costs and sums of a matcher without pyramid
-  if (cells * kBytesPerCell > static_cast<double>(available)) {
-    spdlog::warn(
-        "{} x {} pixels x {} disparities take about {:.1f} GB unless matched in a "
-        "pyramid, and {:.1f} GB are free; if memory runs out, use a pyramid pipeline or "
-        "a narrower range",
-        range.size().width, range.size().height, range.hull().size(), cells * kBytesPerCell / 1e9,
-        static_cast<double>(available) / 1e9);
-  }
-}
-
 RunRecord begin_record(const RunOptions& options, const NamedPipeline& named,
                        const std::vector<Override>& overrides, const Plan& plan) {
   RunRecord record;
@@ -102,33 +58,34 @@ RunRecord begin_record(const RunOptions& options, const NamedPipeline& named,
   return record;
 }
 
+/// What was asked for beside the map.
+struct Extras {
+  std::optional<DepthPlan> depth;
+  ExplainPixels explained;
+};
+
 int run_checked(const RunOptions& options, const Pipeline& pipeline, const Plan& plan,
-                const std::optional<DepthPlan>& depth, RunRecord record) {
+                const Extras& extras, RunRecord record) {
   Progress progress;
   progress.begin("reading the images");
   const Stopwatch reading;
-  Scene scene = read_scene(plan);
-  const DisparityRange range = make_range(plan, scene);
-  if (!options.truth.empty()) {
-    read_truth(options, scene);
-  } else if (plan.scene) {
-    read_truth_of_scene(*plan.scene, scene);
-  }
-  for (const std::string& note : scene.notes) spdlog::info(note);
+  auto [scene, range] = read_inputs(options, plan);
   record.reading_seconds = reading.seconds();
   record.scene = scene.name;
   record.inputs = scene.inputs;
   record.size = scene.pair.size();
   record.disparities = range.hull();
 
-  guard_memory(range);
   Dumper dumper((std::filesystem::path(options.output) / "dump").string(), options.dump);
+  RunObserver observer(progress, dumper);
   LevelCollector levels;
-  RunObserver observer(progress, dumper, options.report ? &levels : nullptr);
+  if (options.report) observer.show_to(levels);
+  const auto explainer = make_explainer(extras.explained, scene);
+  if (!extras.explained.empty()) observer.show_to(*explainer);
   progress.begin("matching");
   const Stopwatch matching;
   // Shares its pixels.
-  const Image left = depth || options.report ? scene.pair.base : Image();
+  const Image left = extras.depth || options.report ? scene.pair.base : Image();
   const MatchResult result =
       pipeline.run({std::move(scene.pair), range, {}}, observer, options.threads);
   record.matching_seconds = matching.seconds();
@@ -147,12 +104,17 @@ int run_checked(const RunOptions& options, const Pipeline& pipeline, const Plan&
     record.truth = evaluate_regions(map, scene.truth, {.deltas = usual_thresholds()});
   }
   record.peak_memory_bytes = peak_memory();
-  const std::string depth_text = depth ? write_depth_files(*depth, map, left) : "";
+  const std::string depth_text = extras.depth ? write_depth_files(*extras.depth, map, left) : "";
+  const std::string explanations =
+      extras.explained.empty() ? "" : to_json(explainer->explanations());
+  if (!explanations.empty()) write_explanations(options.output, explanations);
   if (options.report) {
-    ReportRun shown;
-    shown.map = map;
-    shown.levels = levels.levels();
-    write_report(options.output, record, left, scene.truth, std::move(shown));
+    write_report(options.output, record, left, scene.truth,
+                 {.name = {},
+                  .record_json = {},
+                  .map = map,
+                  .levels = levels.levels(),
+                  .explanations_json = explanations});
   }
   write_results(options.output, map, record);
   progress.end();
@@ -168,11 +130,11 @@ int run(const RunOptions& options, const std::vector<std::string>& command_line)
   const auto named = load_named(options.pipeline, registry, overrides);
   if (!named) return kUsage;
   const Plan plan = make_plan(options, named->pipeline, registry);
-  const std::optional<DepthPlan> depth = plan_depth(options, plan);
+  const Extras extras{plan_depth(options, plan), parse_explain(options.explain)};
   make_folder(options.output);
   RunRecord record = begin_record(options, *named, overrides, plan);
   record.command_line = command_line;
-  return run_checked(options, named->pipeline, plan, depth, std::move(record));
+  return run_checked(options, named->pipeline, plan, extras, std::move(record));
 }
 
 }  // namespace

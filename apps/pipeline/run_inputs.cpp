@@ -3,6 +3,9 @@
 
 #include <spdlog/spdlog.h>
 
+#include "xgm/memory.hpp"
+#include "xgm/metrics.hpp"
+
 namespace xgm::cli {
 namespace {
 
@@ -70,6 +73,8 @@ Plan make_plan(const RunOptions& options, const Pipeline& pipeline, const Regist
   return plan;
 }
 
+namespace {
+
 Scene read_scene(const Plan& plan) {
   if (plan.scene) return load_scene(*plan.scene);
   Scene scene = sample_scene();
@@ -111,6 +116,66 @@ DisparityRange make_range(const Plan& plan, Scene& scene) {
                           "safer: --disparities MIN:MAX");
   }
   return DisparityRange::uniform(size, possible);
+}
+
+/// All that can be wrong with the truth is found by judging an empty map.
+void require_judgeable(const Scene& scene) {
+  evaluate(DisparityMap(scene.pair.size()), scene.truth.disparity, {}, scene.truth.non_occluded);
+}
+
+/// Before matching: a mistake in these files should not cost the user a run.
+void read_truth_of_options(const RunOptions& options, Scene& scene) {
+  scene.truth = {.disparity = read_disparities(options.truth, options.truth_divisor)};
+  scene.inputs.push_back({"truth", options.truth, identify_file(options.truth)});
+  if (!options.truth_mask.empty()) {
+    scene.truth.non_occluded = read_mask(options.truth_mask);
+    scene.inputs.push_back({"truth mask", options.truth_mask, identify_file(options.truth_mask)});
+  }
+  require_judgeable(scene);
+}
+
+/// What comes with the scene is a help, no wish of the user: if it is of no use, the run goes on.
+void read_truth_of_scene(const SceneFiles& files, Scene& scene) {
+  try {
+    scene.truth = load_truth(files.truth, scene.pair.size());
+    if (scene.truth.disparity.empty()) return;
+    require_judgeable(scene);
+    for (InputFile& file : identify_truth(files.truth)) scene.inputs.push_back(std::move(file));
+  } catch (const Error& error) {
+    scene.truth = {};
+    spdlog::warn("the scene's truth is not used: {}", error.message());
+  }
+}
+
+/// Running out of memory must be an error, not the end of the process.
+void guard_memory(const DisparityRange& range) {
+  const std::uint64_t available = available_memory();
+  limit_memory(available);
+  const double cells = static_cast<double>(range.size().area()) * range.hull().size();
+  constexpr double kBytesPerCell = 3;  // costs and sums of a matcher without pyramid
+  if (cells * kBytesPerCell > static_cast<double>(available)) {
+    spdlog::warn(
+        "{} x {} pixels x {} disparities take about {:.1f} GB unless matched in a "
+        "pyramid, and {:.1f} GB are free; if memory runs out, use a pyramid pipeline or "
+        "a narrower range",
+        range.size().width, range.size().height, range.hull().size(), cells * kBytesPerCell / 1e9,
+        static_cast<double>(available) / 1e9);
+  }
+}
+
+namespace {}  // namespace
+
+Inputs read_inputs(const RunOptions& options, const Plan& plan) {
+  Scene scene = read_scene(plan);
+  DisparityRange range = make_range(plan, scene);
+  if (!options.truth.empty()) {
+    read_truth_of_options(options, scene);
+  } else if (plan.scene) {
+    read_truth_of_scene(*plan.scene, scene);
+  }
+  for (const std::string& note : scene.notes) spdlog::info(note);
+  guard_memory(range);
+  return {std::move(scene), std::move(range)};
 }
 
 }  // namespace xgm::cli

@@ -21,11 +21,13 @@ struct Plan {
 /// Throws UsageError: no such folder, no disparity range, range maps that the pipeline cannot take.
 Plan make_plan(const RunOptions& options, const Pipeline& pipeline, const Registry& registry);
 
-/// Opens the images. Throws Error.
-Scene read_scene(const Plan& plan);
+struct Inputs {
+  Scene scene;
+  DisparityRange range;  ///< what lies beyond the image's width is cut off
+};
 
-/// The range to search in this scene: range maps are read and added to its inputs; what lies beyond
-/// the image's width is cut off, with a warning. Throws Error if nothing is left.
-DisparityRange make_range(const Plan& plan, Scene& scene);
+/// Reads images, range maps and truth (that of --truth, else the scene's own), tells what is
+/// noteworthy, and makes running out of memory an error from now on. Throws Error.
+Inputs read_inputs(const RunOptions& options, const Plan& plan);
 
 }  // namespace xgm::cli

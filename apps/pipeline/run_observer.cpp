@@ -16,6 +16,7 @@ void RunObserver::log(LogLevel level, const std::string& stage_path, const std::
 void RunObserver::stage_begin(const std::string& stage_path, const std::string& plugin) {
   RunRecorder::stage_begin(stage_path, plugin);
   progress_.stage(stage_path + " (" + plugin + ")");
+  for (Observer* other : others_) other->stage_begin(stage_path, plugin);
 }
 
 void RunObserver::stage_end(const std::string& stage_path, const StageStatistics& statistics,
@@ -24,12 +25,17 @@ void RunObserver::stage_end(const std::string& stage_path, const StageStatistics
   spdlog::debug("{}: {:.3f} s, {:.1f} MB", stage_path, statistics.seconds,
                 static_cast<double>(statistics.bytes) / 1e6);
   if (dumper_.wants(stage_path)) dumper_.write(stage_path, result);
-  if (levels_ != nullptr) levels_->stage_end(stage_path, result);
+  for (Observer* other : others_) other->stage_end(stage_path, statistics, result);
+}
+
+void RunObserver::stage_input(const std::string& stage_path, const Artifact& input) {
+  for (Observer* other : others_) other->stage_input(stage_path, input);
 }
 
 void RunObserver::report(const std::string& stage_path, const std::string& name, double value) {
   RunRecorder::report(stage_path, name, value);
   spdlog::debug("{}: {} = {:.6g}", stage_path, name, value);
+  for (Observer* other : others_) other->report(stage_path, name, value);
 }
 
 }  // namespace xgm::cli

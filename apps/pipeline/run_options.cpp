@@ -19,22 +19,32 @@ bool parse_whole(std::string_view text, int& number) {
 /// The check without its note in the help text, where the type says FILE already.
 CLI::Validator existing_file() { return CLI::Validator(CLI::ExistingFile).description(""); }
 
-void add_inputs(CLI::App& command, RunOptions& options) {
+void add_pipeline(CLI::App& command, RunOptions& options) {
   command
       .add_option("pipeline", options.pipeline,
                   "Pipeline file, or name of a shipped one (with or without .yaml)")
       ->type_name("PIPELINE")
       ->required();
-  auto* scene = command
-                    .add_option("scene", options.scene,
-                                "Folder of a scene, or of scenes, of any known data set (see "
-                                "'pipeline list dataset'). With neither scene nor images the "
-                                "built-in sample pair is matched")
-                    ->type_name("SCENE_DIR");
+}
+
+CLI::Option* add_scene(CLI::App& command, RunOptions& options) {
+  return command
+      .add_option("scene", options.scene,
+                  "Folder of a scene, or of scenes, of any known data set (see 'pipeline list "
+                  "dataset'). With neither scene nor images the built-in sample pair is matched")
+      ->type_name("SCENE_DIR");
+}
+
+/// Which of the scenes in the folder that `scene` takes, and how it is laid out.
+void add_scene_choice(CLI::App& command, RunOptions& options, CLI::Option* scene) {
   command.add_option("--scene", options.scene_name, "Which scene, if SCENE_DIR holds several")
       ->type_name("NAME")
       ->needs(scene);
   add_dataset_option(command, options.dataset)->needs(scene);
+}
+
+/// Returns --left.
+CLI::Option* add_images(CLI::App& command, RunOptions& options) {
   auto* left = command.add_option("--left", options.images.left, "Left (base) image");
   auto* right = command.add_option("--right", options.images.right, "Right (match) image");
   auto* left_mask = command.add_option("--left-mask", options.images.left_mask,
@@ -44,8 +54,9 @@ void add_inputs(CLI::App& command, RunOptions& options) {
   for (auto* option : {left, right, left_mask, right_mask}) {
     option->type_name("FILE")->check(existing_file());
   }
-  left->needs(right)->excludes(scene);
+  left->needs(right);
   right->needs(left);
+  return left;
 }
 
 void add_search(CLI::App& command, RunOptions& options) {
@@ -62,6 +73,14 @@ void add_search(CLI::App& command, RunOptions& options) {
                   "not finite = nothing to search")
       ->type_name("MIN.pfm,MAX.pfm")
       ->excludes(interval);
+}
+
+void add_matching(CLI::App& command, RunOptions& options) {
+  add_set_option(command, options.assignments);
+  constexpr int kMostThreads = 1024;
+  command.add_option("--threads", options.threads, "Threads to use; without it all processors")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostThreads));
 }
 
 void add_truth(CLI::App& command, RunOptions& options) {
@@ -98,32 +117,7 @@ void add_depth(CLI::App& command, RunOptions& options) {
       ->type_name("FILE.tiff");
 }
 
-}  // namespace
-
-void add_run_options(CLI::App& command, RunOptions& options) {
-  add_inputs(command, options);
-  add_search(command, options);
-  command
-      .add_option("-o,--output", options.output,
-                  "Folder for disparity.pfm, disparity.png, status.png and run.json; made if "
-                  "missing")
-      ->type_name("DIR")
-      ->capture_default_str();
-  add_set_option(command, options.assignments);
-  constexpr int kMostThreads = 1024;
-  command.add_option("--threads", options.threads, "Threads to use; without it all processors")
-      ->type_name("N")
-      ->check(CLI::Range(1, kMostThreads));
-  command
-      .add_option("--dump", options.dump,
-                  "Also write the result of every stage whose path matches (see run.json for the "
-                  "paths), to DIR/dump: '*' for all, '*.cost'")
-      ->type_name("GLOB");
-  add_truth(command, options);
-  command.add_flag("--report", options.report,
-                   "Also write DIR/report.html: one page, for any browser, without network, that "
-                   "shows maps, values, levels, times and configuration");
-  add_depth(command, options);
+void add_surroundings(CLI::App& command, RunOptions& options) {
   add_plugin_options(command, options.plugins);
   command
       .add_option("--log-level", options.log_level,
@@ -131,6 +125,60 @@ void add_run_options(CLI::App& command, RunOptions& options) {
       ->type_name("L")
       ->check(CLI::IsMember({"debug", "info", "warning", "error"}))
       ->capture_default_str();
+}
+
+}  // namespace
+
+void add_run_options(CLI::App& command, RunOptions& options) {
+  add_pipeline(command, options);
+  auto* scene = add_scene(command, options);
+  add_scene_choice(command, options, scene);
+  add_images(command, options)->excludes(scene);
+  add_search(command, options);
+  command
+      .add_option("-o,--output", options.output,
+                  "Folder for disparity.pfm, disparity.png, status.png and run.json; made if "
+                  "missing")
+      ->type_name("DIR")
+      ->capture_default_str();
+  add_matching(command, options);
+  command
+      .add_option("--dump", options.dump,
+                  "Also write the result of every stage whose path matches (see run.json for the "
+                  "paths), to DIR/dump: '*' for all, '*.cost'")
+      ->type_name("GLOB");
+  command
+      .add_option(
+          "--explain", options.explain,
+          "Also keep why this pixel, or every N-th of the image, has its disparity or none, "
+          "in DIR/explain.json; may be given again")
+      ->type_name("X,Y|every=N")
+      ->allow_extra_args(false);
+  add_truth(command, options);
+  command.add_flag("--report", options.report,
+                   "Also write DIR/report.html: one page, for any browser, without network, that "
+                   "shows maps, values, levels, times and configuration");
+  add_depth(command, options);
+  add_surroundings(command, options);
+}
+
+void add_explain_options(CLI::App& command, RunOptions& options, std::vector<std::string>& place) {
+  add_pipeline(command, options);
+  auto* pixel =
+      command
+          .add_option(
+              "pixel", place,
+              "Column and row of the pixel in the left image, from 0 on; before them the scene's "
+              "folder, unless images are given or the built-in sample pair is meant")
+          ->type_name("[SCENE_DIR] X Y")
+          ->expected(2, 3)
+          ->required();
+  add_scene_choice(command, options, pixel);
+  add_images(command, options);
+  add_search(command, options);
+  add_matching(command, options);
+  add_truth(command, options);
+  add_surroundings(command, options);
 }
 
 Interval parse_disparities(const std::string& text, const std::string& option) {

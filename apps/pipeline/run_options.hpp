@@ -31,10 +31,13 @@ struct RunOptions {
   std::optional<double> truth_divisor;
   std::string cloud;
   std::string depth;
+  std::vector<std::string> explain;  ///< "X,Y" or "every=N"
   PluginOptions plugins;
 };
 
 void add_run_options(CLI::App& command, RunOptions& options);
+/// The same but for what is written; `place` takes "[SCENE_DIR] X Y".
+void add_explain_options(CLI::App& command, RunOptions& options, std::vector<std::string>& place);
 
 /// "MIN:MAX", both included. Throws UsageError, which names the option.
 Interval parse_disparities(const std::string& text, const std::string& option = "--disparities");

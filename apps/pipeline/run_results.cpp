@@ -69,6 +69,10 @@ void write_report(const std::string& folder, const RunRecord& record, const Imag
   write_file(in(folder, "report.html"), report_html(report));
 }
 
+void write_explanations(const std::string& folder, const std::string& explanations) {
+  write_file(in(folder, "explain.json"), explanations);
+}
+
 void print_summary(const std::string& folder, const RunRecord& record, bool has_report) {
   std::cout << "map:     " << record.size.width << " x " << record.size.height << ", "
             << percent(record.valid_share) << " of the pixels have a disparity\n";

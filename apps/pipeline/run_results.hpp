@@ -3,8 +3,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "xgm/data/disparity_map.hpp"
+#include "xgm/explain.hpp"
 #include "xgm/report.hpp"
 #include "xgm/run_record.hpp"
 
@@ -16,6 +18,9 @@ void write_results(const std::string& folder, const DisparityMap& map, const Run
 /// Writes report.html; the run's name and record are filled in. Throws Error.
 void write_report(const std::string& folder, const RunRecord& record, const Image& left,
                   const GroundTruth& truth, ReportRun run);
+
+/// Writes explain.json. Throws Error.
+void write_explanations(const std::string& folder, const std::string& explanations);
 
 void print_summary(const std::string& folder, const RunRecord& record, bool has_report);
 

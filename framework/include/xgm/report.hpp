@@ -62,11 +62,11 @@ XGM_API std::string report_html(const Report& report);
 /// replaced.
 XGM_API std::string html_text(const std::string& text);
 
-/// Keeps what a report shows of a pyramid's levels. Feed it from Observer::stage_end.
-class XGM_API LevelCollector {
+/// Keeps what a report shows of a pyramid's levels: copies of their maps and ranges.
+class XGM_API LevelCollector final : public Observer {
  public:
-  /// Copies the map of a level and the range it searched; anything else is not for it.
-  void stage_end(const std::string& stage_path, const Artifact& result);
+  void stage_end(const std::string& stage_path, const StageStatistics& statistics,
+                 const Artifact& result) override;
   /// The levels that have a map, coarsest first.
   std::vector<ReportLevel> levels() const;
 

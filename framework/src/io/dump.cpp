@@ -27,6 +27,7 @@ struct Writer {
   }
 
   void operator()(std::monostate) const {}
+  void operator()(const MatchRequest*) const {}  // no stage returns one
   void operator()(const ImagePair* pair) const {
     write_png(name(".left.png"), picture(pair->base));
     write_png(name(".right.png"), picture(pair->match));

@@ -7,7 +7,8 @@
 
 namespace xgm {
 
-void LevelCollector::stage_end(const std::string& stage_path, const Artifact& result) {
+void LevelCollector::stage_end(const std::string& stage_path, const StageStatistics&,
+                               const Artifact& result) {
   static const std::regex at_level(R"(((?:.*\.)?s(\d+))\.(?:matcher|search_range))");
   std::smatch match;
   if (!std::regex_match(stage_path, match, at_level)) return;

@@ -31,6 +31,7 @@ void Observer::stage_begin(const std::string&, const std::string&) {}
 void Observer::stage_end(const std::string&, const StageStatistics&, const Artifact&) {}
 void Observer::report(const std::string&, const std::string&, double) {}
 void Observer::progress(double) {}
+void Observer::stage_input(const std::string&, const Artifact&) {}
 
 Context Context::scope(std::string_view name) const {
   Context inner = *this;
@@ -48,6 +49,10 @@ Context Context::part(double begin, double end) const {
 
 void Context::log(LogLevel level, const std::string& text) const {
   if (observer_ != nullptr) observer_->log(level, path_, text);
+}
+
+void Context::tell_input(const Artifact& input) const {
+  if (observer_ != nullptr) observer_->stage_input(path_, input);
 }
 
 void Context::report(const std::string& name, double value) const {

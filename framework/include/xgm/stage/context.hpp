@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <variant>
 
 #include "xgm/base/export.hpp"
@@ -14,10 +15,10 @@ namespace xgm {
 
 enum class LogLevel { debug, info, warning };
 
-/// What a stage has produced, shown to the observer while it lives.
-using Artifact =
-    std::variant<std::monostate, const ImagePair*, const DisparityRange*, const CostVolume*,
-                 const AggregatedVolume*, const DisparityMap*, const MatchResult*>;
+/// What a stage is given or has produced, shown to the observer while it lives.
+using Artifact = std::variant<std::monostate, const ImagePair*, const DisparityRange*,
+                              const CostVolume*, const AggregatedVolume*, const DisparityMap*,
+                              const MatchResult*, const MatchRequest*>;
 
 struct StageStatistics {
   double seconds = 0;     ///< wall time, stages inside included
@@ -37,6 +38,9 @@ class XGM_API Observer {
   virtual void report(const std::string& stage_path, const std::string& name, double value);
   /// Share of the whole run that is done, 0 to 1, never falling.
   virtual void progress(double share);
+  /// After stage_begin, once for each input that is an artifact, in the order of run's parameters.
+  /// It lives until stage_end.
+  virtual void stage_input(const std::string& stage_path, const Artifact& input);
 };
 
 /// Passed to every stage. Cheap to copy; scopes and parts are made for the stages inside.
@@ -59,6 +63,12 @@ class XGM_API Context {
   void report(const std::string& name, double value) const;
   /// Share of this stage's own work that is done, 0 to 1.
   void progress(double share) const;
+
+  /// Used by slots: tells the observer of an input of the stage that runs here.
+  template <class Input>
+  void show_input(const Input& input) const {
+    if constexpr (std::is_constructible_v<Artifact, const Input*>) tell_input(&input);
+  }
 
   /// Used by slots: runs `body` as the stage at this path, timed and told to the observer; adds the
   /// path to what it throws.
@@ -97,6 +107,7 @@ class XGM_API Context {
   };
 
   void log(LogLevel level, const std::string& text) const;
+  void tell_input(const Artifact& input) const;
 
   Observer* observer_ = nullptr;
   std::string path_;

@@ -35,8 +35,10 @@ class Slot final : public SlotBase {
 
   template <class... Inputs>
   auto operator()(const Context& context, const Inputs&... inputs) const {
-    return context.scope(field_).run_stage(
-        plugin_, [&](const Context& inner) { return stage_->run(inputs..., inner); });
+    return context.scope(field_).run_stage(plugin_, [&](const Context& inner) {
+      (inner.show_input(inputs), ...);
+      return stage_->run(inputs..., inner);
+    });
   }
 
  private:
