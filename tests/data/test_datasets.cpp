@@ -120,7 +120,7 @@ cv::Mat1f details(const Image& image) {
   const cv::Mat1f grey = image.grey();
   cv::Mat1f mean;
   cv::blur(grey, mean, {15, 15});
-  return grey - mean;
+  return cv::Mat1f(grey - mean);
 }
 
 /// Mean difference, 40 at most, between base pixels and where the truth plus `offset` puts them.
@@ -130,7 +130,7 @@ double photometric_error(const Scene& scene, const GroundTruth& truth, double of
   int count = 0;
   for (int y = 0; y < left.rows; ++y) {
     for (int x = 0; x < left.cols; ++x) {
-      const double column = x - truth.disparity(y, x) - offset;
+      const double column = x - double{truth.disparity(y, x)} - offset;
       const bool seen = truth.non_occluded.empty() || truth.non_occluded(y, x) == 255;
       if (!seen || !(column >= 0) || !(column < right.cols - 1)) continue;
       const int whole = static_cast<int>(column);

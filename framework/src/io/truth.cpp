@@ -53,7 +53,7 @@ cv::Mat1b cross_check(const cv::Mat1f& disparity, const cv::Mat1f& reverse) {
     for (int x = 0; x < mask.cols; ++x) {
       const float d = disparity(y, x);
       if (!std::isfinite(d)) continue;
-      const float column = std::round(static_cast<float>(x) - d);
+      const float column = std::nearbyint(static_cast<float>(x) - d);  // halves: to even
       const bool inside = column >= 0 && column < static_cast<float>(reverse.cols);
       const bool agrees =
           inside && std::abs(reverse(y, static_cast<int>(column)) + d) <= kAgree;  // NaN: false

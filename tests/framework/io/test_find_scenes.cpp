@@ -75,12 +75,14 @@ TEST_CASE("truth of another size than the images is an error that names the file
 }
 
 TEST_CASE("cross_check: within 1 px is seen, else hidden; no truth is neither") {
-  const cv::Mat1f left = (cv::Mat1f(1, 6) << 0, 2, 1, kNan, 2.4f, 1);
+  const cv::Mat1f left = (cv::Mat1f(1, 6) << 0, 2, 1, kNan, 2.25f, 1);
   const cv::Mat1f right = (cv::Mat1f(1, 6) << 0, -2.5f, -1.4f, 0, -2.1f, 0);
-  // x - d: 0, -1 (outside), 1, -, 1.6 -> 2, 4
+  // x - d: 0, -1 (outside), 1, -, 1.75 -> 2, 4
   const cv::Mat1b mask = cross_check(left, right);
   const int expected[] = {255, 128, 128, 0, 255, 128};
   for (int x = 0; x < 6; ++x) CHECK_MESSAGE(int{mask(0, x)} == expected[x], "column ", x);
+  const cv::Mat1f half = (cv::Mat1f(1, 2) << kNan, 0.5f), there = (cv::Mat1f(1, 2) << -0.5f, 9);
+  CHECK(int{cross_check(half, there)(0, 1)} == 255);  // column 0.5 is 0
   CHECK_FALSE(error_of([&] { cross_check(left, cv::Mat1f(2, 6)); }).empty());
 }
 

@@ -79,7 +79,7 @@ TEST_CASE("middlebury_v3: exposure and lighting of the 2014 set are scenes of th
   const SceneFiles plain = find_scene(tree / "Piano-perfect", builtins());
   CHECK(plain.name == "Piano-perfect");
   CHECK(find_scene(tree / "Piano-perfect/", builtins(), "PianoL-perfect").images.right ==
-        tree / "Piano-perfect//im1L.png");
+        tree / "Piano-perfect/im1L.png");
 }
 
 TEST_CASE("middlebury_v3: a bare pair is a scene that says what it lacks") {

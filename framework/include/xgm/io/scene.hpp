@@ -62,8 +62,8 @@ XGM_API GroundTruth load_truth(const TruthFiles& files, cv::Size size);
 XGM_API std::vector<InputFile> identify_truth(const TruthFiles& files);
 
 /// Which left pixels are seen in the right image, by the truth of both views: 255 where the truth
-/// of the right view at the pixel pointed at is within 1 px of this pixel's, 128 where not, 0 where
-/// there is no truth. `reverse` has the signs of a reverse map.
+/// of the right view at the pixel pointed at (rounded, halves to even) is within 1 px of this
+/// pixel's, 128 where not, 0 where there is no truth. `reverse` has the signs of a reverse map.
 XGM_API cv::Mat1b cross_check(const cv::Mat1f& disparity, const cv::Mat1f& reverse);
 
 /// A small generated pair with known disparities, for a first run without data.
