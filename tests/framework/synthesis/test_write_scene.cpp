@@ -38,7 +38,7 @@ TEST_CASE("write_scene: what is read back is the scene") {
       const GeneratedScene scene = generate(options);
       write_scene(folder / "scene/", scene, options);
       CHECK(folder.files() == 1);  // nothing is left of the work
-      const SceneFiles files = find_scene(folder / "scene");
+      const SceneFiles files = find_scene(folder / "scene", xgm::testing::builtins());
       CHECK(files.disparities == Interval{0, 12});
       const ImagePair pair = load_scene(files).pair;
       REQUIRE(pair.base.planes.size() == scene.pair.base.planes.size());
@@ -69,7 +69,7 @@ TEST_CASE("write_scene: calib.txt is Middlebury's, and has no ndisp if it would 
   write_scene(folder / "s", generate(options), options);
   CHECK_FALSE(contains(read_file(folder / "s/calib.txt"), "ndisp"));
   CHECK(contains(read_file(folder / "s/calib.txt"), "vmin=-6\nvmax=5\n"));
-  CHECK_FALSE(find_scene(folder / "s").disparities.has_value());
+  CHECK_FALSE(find_scene(folder / "s", xgm::testing::builtins()).disparities.has_value());
 }
 
 TEST_CASE("write_scene: scene.json has the seed, the options and all faults") {
