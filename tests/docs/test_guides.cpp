@@ -35,8 +35,8 @@ namespace {
 void write_inputs(const TemporaryFolder& folder) {
   const SyntheticScene scene = make_scene({});
   const cv::Mat1b everywhere(scene.pair.size(), 255);
-  for (const char* scene : {"scene", "samples/field", "samples/house"}) {
-    std::filesystem::create_directories(folder / scene);
+  for (const char* sub_folder : {"scene", "samples/field", "samples/house"}) {
+    std::filesystem::create_directories(folder / sub_folder);
   }
   for (const std::string name :
        {"left.png", "scene/im0.png", "samples/field/im0.png", "samples/house/im0.png"}) {

@@ -12,6 +12,7 @@ using Json = nlohmann::ordered_json;
 
 // As one would write it in a pipeline: names without quotes.
 std::string yaml_text(const Json& value) {
+  if (value == "") return "none";
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
