@@ -163,7 +163,7 @@ void guard_memory(const DisparityRange& range) {
   }
 }
 
-namespace {}  // namespace
+}  // namespace
 
 Inputs read_inputs(const RunOptions& options, const Plan& plan) {
   Scene scene = read_scene(plan);

@@ -15,7 +15,7 @@ namespace {
 
 struct Watcher : Observer {
   void stage_end(const std::string& path, const StageStatistics&, const Artifact& result) override {
-    collector.stage_end(path, result);
+    collector.stage_end(path, {}, result);
   }
   LevelCollector collector;
 };
