@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "run_depth.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "xgm/io/point_cloud.hpp"
@@ -8,6 +9,29 @@
 namespace xgm::cli {
 namespace fs = std::filesystem;
 namespace {
+
+/// What a file holds is known by its name, and no two outputs share one.
+void require_ending(const char* option, const std::string& file,
+                    std::initializer_list<std::string_view> endings) {
+  if (file.empty()) return;
+  const std::string ending = fs::path(file).extension().string();
+  if (std::find(endings.begin(), endings.end(), ending) != endings.end()) return;
+  throw UsageError(std::string(option) + " " + file + ": the name must end in " +
+                   std::string(*endings.begin()));
+}
+
+void require_no_input(const char* option, const std::string& file, const SceneFiles& scene) {
+  const TruthFiles& truth = scene.truth;
+  for (const std::string& input :
+       {scene.images.left, scene.images.right, scene.images.left_mask, scene.images.right_mask,
+        truth.disparity.file, truth.reverse.file, truth.visible.file, truth.non_occluded,
+        truth.objects}) {
+    std::error_code unusable;
+    if (file.empty() || input.empty() || !fs::equivalent(file, input, unusable)) continue;
+    throw UsageError(std::string(option) + " " + file +
+                     ": is a file of the scene, which would be lost; give another name");
+  }
+}
 
 void require_writable(const char* option, const std::string& file) {
   if (file.empty()) return;
@@ -39,8 +63,11 @@ std::optional<DepthPlan> plan_depth(const RunOptions& options, const Plan& plan)
   }
   DepthPlan depth{options.cloud, options.depth, *plan.scene->calibration};
   if (depth.depth.empty()) {
-    depth.depth = (fs::path(depth.cloud).parent_path() / "depth.tiff").string();
+    depth.depth = fs::path(depth.cloud).replace_extension().string() + "_depth.tiff";
   }
+  require_ending("--cloud", depth.cloud, {".ply"});
+  require_ending("--depth", depth.depth, {".tiff", ".tif"});
+  require_no_input("--depth", depth.depth, *plan.scene);
   require_writable("--cloud", depth.cloud);
   require_writable("--depth", depth.depth);
   return depth;

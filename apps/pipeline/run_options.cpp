@@ -112,8 +112,8 @@ void add_depth(CLI::App& command, RunOptions& options) {
       ->type_name("FILE.ply");
   command
       .add_option("--depth", options.depth,
-                  "Also write the depths in mm (float TIFF, NaN = none); with --cloud this is "
-                  "depth.tiff beside it unless given")
+                  "Also write the depths in mm (float TIFF, NaN = none); with --cloud NAME.ply "
+                  "this is NAME_depth.tiff unless given")
       ->type_name("FILE.tiff");
 }
 
