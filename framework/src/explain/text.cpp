@@ -55,11 +55,17 @@ std::string choice_text(const MatchExplanation& match) {
   return text;
 }
 
-std::string truth_text(const ExplainedTruth& truth, Interval range) {
-  std::string text = "truth " + number(truth.disparity);
-  if (!truth.searched) return text + ": not within " + range_text(range);
-  return text + ": searched; " + std::to_string(truth.nearest.disparity) + " has " +
-         figures(truth.nearest);
+bool has_curves(const MatchExplanation& match) {
+  return !match.costs.empty() || !match.sums.empty();
+}
+
+std::string truth_text(const ExplainedTruth& truth, const MatchExplanation& match) {
+  const std::string text = "truth " + number(truth.disparity);
+  if (!truth.searched) return text + ": not within " + range_text(match.range);
+  if (!has_curves(match)) return text + ": searched";
+  const bool matchable = !std::isnan(truth.nearest.cost) || !std::isnan(truth.nearest.sum);
+  return text + ": searched; " + std::to_string(truth.nearest.disparity) +
+         (matchable ? " has " : " ") + figures(truth.nearest);
 }
 
 std::vector<explain::Mark> marks(const MatchExplanation& match) {
@@ -77,9 +83,9 @@ std::string level_text(const LevelExplanation& level) {
                   std::to_string(level.size.height) + "), pixel " + point_text(match.pixel) + ", " +
                   match.plugin + ", range " + range_text(match.range),
               2);
-  const bool curves = !match.costs.empty() || !match.sums.empty();
-  text += wrapped("  " + (curves ? choice_text(match) : "the matcher shows no costs"), 4);
-  if (match.truth) text += wrapped("  " + truth_text(*match.truth, match.range), 4);
+  text +=
+      wrapped("  " + (has_curves(match) ? choice_text(match) : "the matcher shows no costs"), 4);
+  if (match.truth) text += wrapped("  " + truth_text(*match.truth, match), 4);
   constexpr int kCostRows = 4, kSumRows = 6;
   text += explain::plot(match.costs, match.range, marks(match), "costs", kCostRows);
   text += explain::plot(match.sums, match.range, marks(match), "sums", kSumRows);

@@ -136,3 +136,20 @@ TEST_CASE("a grid has a pixel in every cell, and never none") {
   CHECK(pixel_grid({3, 2}, 100) == std::vector<cv::Point>{{2, 1}});
   CHECK(contains(error_of([] { pixel_grid({3, 2}, 0); }), "at least one pixel"));
 }
+
+TEST_CASE("the truth's costs are told where there are some") {
+  const Explained explained = explain_all(
+      "matcher: {type: semi_global, cost: census, penalty: {type: constant, p1: 24, p2: 96}, "
+      "aggregation: {type: sgm, directions: 4}}",
+      small_scene());
+  Explanation pixel = explained.at(5, 30);
+  MatchExplanation& match = pixel.levels.front().forward;
+  REQUIRE(match.truth->searched);
+  CHECK(contains(to_text(pixel), " has cost "));
+  match.truth->nearest.cost = match.truth->nearest.sum = NAN;
+  const std::string nearest = std::to_string(match.truth->nearest.disparity);
+  CHECK(contains(to_text(pixel), ": searched; " + nearest + " cannot be matched\n"));
+  match.costs.clear();
+  match.sums.clear();
+  CHECK(contains(to_text(pixel), ": searched\n"));
+}
