@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // pipeline eval: how good is a disparity map?
+#include <spdlog/spdlog.h>
+
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -9,6 +11,7 @@
 #include "eval_table.hpp"
 #include "xgm/io/file.hpp"
 #include "xgm/io/image_io.hpp"
+#include "xgm/run_record.hpp"
 
 namespace xgm::cli {
 namespace fs = std::filesystem;
@@ -53,6 +56,27 @@ Comparison find_files(const EvalOptions& options) {
   return files;
 }
 
+/// A run of one scene can be judged by the truth of another; that is hardly meant.
+void warn_of_other_images(const EvalOptions& options, const SceneFiles& scene) {
+  const fs::path record = fs::path(options.map) / "run.json";
+  if (!fs::is_regular_file(record)) return;
+  for (const InputFile& used : recorded_inputs(read_file(record.string()))) {
+    const std::string file = used.role == "left"    ? scene.images.left
+                             : used.role == "right" ? scene.images.right
+                                                    : "";
+    if (file.empty() || !fs::is_regular_file(file)) continue;
+    const FileIdentity identity = identify_file(file);
+    if (identity.bytes == used.identity.bytes && identity.fnv1a64 == used.identity.fnv1a64) {
+      continue;
+    }
+    spdlog::warn(
+        "{} is a run of other images ({}) than those of scene {} ({}); is it judged by "
+        "the right truth?",
+        options.map, used.file, scene.name, file);
+    return;
+  }
+}
+
 GroundTruth read_truth(const EvalOptions& options, const Comparison& files, cv::Size size) {
   if (files.scene) return load_truth(files.scene->truth, size);
   GroundTruth truth;
@@ -83,6 +107,7 @@ Judgement judge(const EvalOptions& options) {
   Judgement judgement;
   judgement.rules = parse_rules(options);
   const Comparison files = find_files(options);
+  if (files.scene) warn_of_other_images(options, *files.scene);
   judgement.rules.clip =
       parse_clip(options.clip, files.scene ? files.scene->disparities : std::nullopt);
   const DisparityMap map = read_map(files.map, options.divisor);

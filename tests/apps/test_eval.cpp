@@ -246,3 +246,18 @@ TEST_CASE("eval: a file that cannot be written is a failure, not silence") {
   CHECK(contains(outcome.errors, "no/where.json"));
   CHECK(desk.eval("map.pfm --truth truth.pfm > /dev/full").exit_code == 1);
 }
+
+TEST_CASE("eval: a run of other images than the scene's is warned of") {
+  const Desk desk;
+  const auto record = [&](const char* left) {
+    const FileIdentity identity = identify_file(desk / left);
+    const Json input{
+        {"role", "left"}, {"file", left}, {"bytes", identity.bytes}, {"fnv1a64", identity.fnv1a64}};
+    desk.write("output/run.json", Json{{"scene", {{"inputs", Json::array({input})}}}}.dump());
+    return desk.eval("output scene");
+  };
+  CHECK(record("scene/im0.png").errors.empty());
+  const Outcome other = record("mask.png");
+  CHECK(other.exit_code == 0);
+  CHECK(contains(other.errors, "is a run of other images (mask.png) than those of scene scene"));
+}

@@ -71,4 +71,7 @@ struct RunRecord {
 /// The record as indented JSON, versions of xgm, OpenCV and the compiler included.
 XGM_API std::string to_json(const RunRecord& record);
 
+/// The files that were read, from the text of a run.json; empty if it is none.
+XGM_API std::vector<InputFile> recorded_inputs(const std::string& run_json);
+
 }  // namespace xgm
