@@ -3,6 +3,8 @@
 
 #include <spdlog/spdlog.h>
 
+#include <filesystem>
+
 #include "xgm/memory.hpp"
 #include "xgm/metrics.hpp"
 
@@ -28,6 +30,17 @@ std::optional<SceneFiles> plan_scene(const RunOptions& options, const Registry& 
   if (!options.images.left_mask.empty()) files.images.left_mask = options.images.left_mask;
   if (!options.images.right_mask.empty()) files.images.right_mask = options.images.right_mask;
   return files;
+}
+
+/// A scene may be listed without them. What cannot go well is not begun.
+void require_images(const SceneFiles& scene) {
+  const PairFiles& images = scene.images;
+  for (const std::string& file : {images.left, images.right, images.left_mask, images.right_mask}) {
+    std::error_code unusable;
+    if (file.empty() || std::filesystem::is_regular_file(file, unusable)) continue;
+    throw UsageError("scene " + scene.name + " cannot be matched: " + file +
+                     ": no such file; add it, or give the images with --left and --right");
+  }
 }
 
 void plan_disparities(Plan& plan, const RunOptions& options, const Pipeline& pipeline) {
@@ -59,6 +72,7 @@ std::string text_of(Interval interval) {
 Plan make_plan(const RunOptions& options, const Pipeline& pipeline, const Registry& registry) {
   Plan plan;
   plan.scene = plan_scene(options, registry);
+  if (plan.scene) require_images(*plan.scene);
   if (options.range_maps.empty()) {
     plan_disparities(plan, options, pipeline);
     return plan;

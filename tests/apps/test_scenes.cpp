@@ -94,7 +94,7 @@ TEST_CASE("run: --cloud and --depth, in mm") {
   INFO(outcome.errors);
   REQUIRE(outcome.exit_code == 0);
   CHECK(read_file(desk / "out.ply").starts_with("ply\nformat binary_little_endian 1.0\n"));
-  const cv::Mat depth = cv::imread(desk / "depth.tiff", cv::IMREAD_UNCHANGED);
+  const cv::Mat depth = cv::imread(desk / "out_depth.tiff", cv::IMREAD_UNCHANGED);
   REQUIRE(depth.type() == CV_32FC1);
   CHECK(depth.at<float>(12, 20) == 1250);  // 50 mm * 100 px / (3 + 1) px
   CHECK(desk.call("run sgm8 data/full --depth z.tiff").exit_code == 0);
@@ -112,6 +112,12 @@ TEST_CASE("run: a cloud without cameras, or to where nothing can be written, is 
   check("data/bare --cloud a.ply", "--cloud: the cameras are not known");
   check("--depth a.tiff", "--depth: the cameras are not known");
   check("data/full --cloud nowhere/a.ply", "there is no folder nowhere");
-  check("data/full --cloud data", "is a folder");
+  std::filesystem::create_directory(desk / "a.ply");
+  check("data/full --cloud a.ply", "is a folder");
+  check("data/full --cloud disparity.pfm", "the name must end in .ply");
+  check("data/full --depth d.png", "the name must end in .tiff");
+  check("data/full --cloud b.ply --depth b.ply", "the name must end in .tiff");
+  std::filesystem::remove(desk / "data/bare/im1.png");
+  check("data --scene bare", "scene bare cannot be matched: ");
   CHECK_FALSE(std::filesystem::exists(desk / "xgm_output"));
 }

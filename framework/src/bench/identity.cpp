@@ -58,7 +58,9 @@ void identify_images(std::vector<BenchScene>& scenes) {
     const PairFiles& files = scene.files.images;
     scene.images.clear();
     for (const std::string& file : {files.left, files.right, files.left_mask, files.right_mask}) {
-      scene.images.push_back(file.empty() ? FileIdentity{} : identify_file(file));
+      // What is missing fails when it is run, and stops no other scene.
+      const bool is_there = !file.empty() && fs::is_regular_file(file);
+      scene.images.push_back(is_there ? identify_file(file) : FileIdentity{});
     }
   }
 }

@@ -49,6 +49,16 @@ std::vector<Named> datasets(const Registry& registry) {
   return found;
 }
 
+/// What lacks an image is listed with the others, and fails only if it is matched.
+void note_missing_images(SceneFiles& scene) {
+  for (const std::string& file :
+       {scene.images.left, scene.images.right, scene.images.left_mask, scene.images.right_mask}) {
+    std::error_code unusable;
+    if (file.empty() || fs::is_regular_file(file, unusable)) continue;
+    scene.missing.push_back(file + ": without it the scene cannot be matched");
+  }
+}
+
 /// The data set's scenes, their names looked after.
 std::vector<SceneFiles> scenes_of(const Named& named, const std::string& folder) {
   std::vector<SceneFiles> scenes = named.dataset->scenes(folder);
@@ -56,6 +66,7 @@ std::vector<SceneFiles> scenes_of(const Named& named, const std::string& folder)
             [](const SceneFiles& a, const SceneFiles& b) { return a.name < b.name; });
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     scenes[i].dataset = named.name;
+    note_missing_images(scenes[i]);
     if (i > 0 && scenes[i].name == scenes[i - 1].name) {
       throw Error(folder + ": holds two scenes called '" + scenes[i].name + "'; rename one");
     }
@@ -75,7 +86,7 @@ std::vector<SceneFiles> recognised(const std::string& folder, const Registry& re
   std::vector<SceneFiles> found;
   std::string layouts;
   for (const Named& named : datasets(registry)) {
-    layouts += (layouts.empty() ? "" : "; ") + named.name + ": " + named.dataset->layout();
+    layouts += "\n  " + named.name + ": " + named.dataset->layout();
     std::vector<SceneFiles> scenes = scenes_of(named, folder);
     if (scenes.empty()) continue;
     names.push_back(named.name);
@@ -83,9 +94,10 @@ std::vector<SceneFiles> recognised(const std::string& folder, const Registry& re
   }
   if (names.size() == 1) return found;
   if (names.empty()) {
-    throw Error(folder + ": is no scene and holds none of a known layout (" + layouts +
-                "); give such a folder, write a dataset.yaml into it, or give the images with "
-                "--left and --right");
+    throw Error(folder +
+                ": is no scene and holds none of a known layout; give such a folder, or write a "
+                "dataset.yaml into it. Known layouts:" +
+                layouts);
   }
   throw Error(folder + ": may be any of the data sets " + join(names) +
               "; say which with --dataset NAME");
@@ -95,7 +107,7 @@ void require_folder(const std::string& folder) {
   std::error_code unusable;
   if (!fs::exists(folder, unusable)) throw Error(folder + ": no such folder; check the path");
   if (!fs::is_directory(folder, unusable)) {
-    throw Error(folder + ": is a file; give the folder of the scene, or --left and --right");
+    throw Error(folder + ": is a file; give the folder that holds the scene");
   }
 }
 
@@ -107,6 +119,9 @@ std::vector<SceneFiles> find_scenes(const std::string& folder, const Registry& r
   std::error_code unusable;
   if (fs::is_regular_file(dataset, unusable)) {
     return scenes_that_must_be(bind_file(dataset, registry), folder);
+  }
+  if (dataset.ends_with(".yaml") || dataset.ends_with(".yml")) {
+    throw Error(dataset + ": no such file; check the path of the data set's description");
   }
   if (!dataset.empty()) {
     return scenes_that_must_be(bind_dataset(dataset, "data set", registry), folder);

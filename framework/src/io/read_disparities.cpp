@@ -33,7 +33,8 @@ void require_measures(const Raster& raster, std::optional<double> divisor) {
   if (!divisor && holds_whole_numbers(raster)) {
     throw Error(raster.file + ": holds whole numbers (" + depth_name(raster.depth) +
                 "), as pictures for display do: give a PFM (disparity.pfm), or say by which number "
-                "they are divided to give px (--divisor, --truth-divisor; KITTI: 256)");
+                "they are divided to give px (--divisor, --truth-divisor; in a dataset.yaml "
+                "truth_divisor, reverse_truth_divisor; KITTI: 256)");
   }
 }
 

@@ -13,7 +13,7 @@ Json path(const std::string& file) { return file.empty() ? Json(nullptr) : Json(
 
 Json disparities(const DisparityFile& from) {
   if (from.file.empty()) return nullptr;
-  return {{"file", from.file}, {"divisor", from.divisor}};
+  return {{"file", from.file}, {"divisor", from.divisor == 0 ? Json(nullptr) : Json(from.divisor)}};
 }
 
 Json cameras(const Calibration& c) {

@@ -18,9 +18,12 @@ Map of_size(Map map, const std::string& file, cv::Size size) {
               size_text(size) + "; truth and masks have the size of the images");
 }
 
-cv::Mat1f read_truth(const DisparityFile& from, cv::Size size) {
+cv::Mat1f read_truth(const DisparityFile& from, cv::Size size, bool reverse = false) {
   if (from.file.empty()) return {};
-  return of_size(read_disparities(from.file, from.divisor), from.file, size);
+  const bool said = from.divisor != 0;
+  const auto divisor = said ? std::optional(from.divisor) : std::nullopt;
+  const cv::Mat1f map = of_size(read_disparities(from.file, divisor), from.file, size);
+  return reverse && !said ? cv::Mat1f(-map) : map;
 }
 
 cv::Mat1b read_mask_of(const std::string& file, cv::Size size) {
@@ -66,7 +69,7 @@ cv::Mat1b cross_check(const cv::Mat1f& disparity, const cv::Mat1f& reverse) {
 GroundTruth load_truth(const TruthFiles& files, cv::Size size) {
   GroundTruth truth;
   truth.disparity = read_truth(files.disparity, size);
-  truth.reverse = read_truth(files.reverse, size);
+  truth.reverse = read_truth(files.reverse, size, true);
   truth.objects = read_mask_of(files.objects, size);
   truth.non_occluded = read_mask_of(files.non_occluded, size);
   if (!truth.non_occluded.empty() || truth.disparity.empty()) return truth;

@@ -26,8 +26,7 @@ class Eth3d final : public Dataset {
     for (const Listing& inner : folders) {
       SceneFiles& scene = found.emplace_back();
       scene.name = dataset::name_of(inner.path());
-      scene.images.left = inner.image("im0");
-      scene.images.right = inner.image("im1");
+      dataset::add_images(scene, inner);
       dataset::add_calib_txt(scene, inner.file("calib.txt"));
       dataset::add_truth(scene, inner);
     }

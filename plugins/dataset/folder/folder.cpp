@@ -18,7 +18,7 @@ constexpr double kLeast = 1e-6;
 struct FolderParameters {
   std::string left, right, left_mask, right_mask;
   std::string truth, reverse_truth, visible_truth, non_occluded, objects;
-  double truth_divisor = 1, reverse_truth_divisor = -1;
+  double truth_divisor = 0, reverse_truth_divisor = 0;  // 0 = not said
   std::string calibration;
   std::vector<double> disparities;
   double weight = 1, scale = 1;
@@ -44,13 +44,13 @@ void describe_truth(FolderParameters& p, ParameterSet& set) {
           "True disparities of the left images: PFM (not finite = none), or images of 8 or 16 bit "
           "(0 = none).");
   set.add("truth_divisor", p.truth_divisor,
-          "What the values of truth and visible_truth are divided by to give px; negative if they "
-          "have the other sign than x_left - x_right.")
+          "What the values of truth and visible_truth are divided by to give px, negative if they "
+          "have the other sign than x_left - x_right; images of 8 or 16 bit need it, 0 = not said.")
       .range(-kMost, kMost);
   set.add("reverse_truth", p.reverse_truth, "True disparities of the right images.");
   set.add("reverse_truth_divisor", p.reverse_truth_divisor,
-          "What their values are divided by to give px; negative (as by default) if they are "
-          "stored as positive numbers.")
+          "What their values are divided by to give px, negative if they are stored as positive "
+          "numbers; images of 8 or 16 bit need it, 0 = not said: PFM is divided by -1.")
       .range(-kMost, kMost);
   set.add("visible_truth", p.visible_truth,
           "The truth of the left images without pixels that are hidden in the right ones.");
@@ -58,6 +58,23 @@ void describe_truth(FolderParameters& p, ParameterSet& set) {
           "Masks that are 255 where a left pixel is seen in the right image, too; without them "
           "they are made from visible_truth or reverse_truth.");
   set.add("objects", p.objects, "Maps that are not zero on moving objects, judged on their own.");
+}
+
+void require_placeholders(FolderParameters& p, ParameterSet& set) {
+  const auto require = [&set](const char* name, const std::string& pattern) {
+    set.rule({name}, "must have no unknown placeholder; did you mean {scene}?",
+             [&pattern] { return !folder::has_unknown_placeholder(pattern); });
+  };
+  require("left", p.left);
+  require("right", p.right);
+  require("left_mask", p.left_mask);
+  require("right_mask", p.right_mask);
+  require("truth", p.truth);
+  require("reverse_truth", p.reverse_truth);
+  require("visible_truth", p.visible_truth);
+  require("non_occluded", p.non_occluded);
+  require("objects", p.objects);
+  require("calibration", p.calibration);
 }
 
 class Folder final : public Dataset {
@@ -75,6 +92,7 @@ class Folder final : public Dataset {
     set.add("scale", p.scale,
             "One pixel is so many of the resolution that errors are to be judged in.")
         .range(kLeast, kMost);
+    require_placeholders(p, set);
     const auto given = "must be given: a path such as '{scene}/left.png'";
     set.rule({"left"}, given, [&p] { return !p.left.empty(); });
     set.rule({"right"}, given, [&p] { return !p.right.empty(); });
@@ -82,9 +100,6 @@ class Folder final : public Dataset {
       return p.left.empty() || p.right.empty() ||
              folder::has_gap(p.left) == folder::has_gap(p.right);
     });
-    set.rule({"truth_divisor"}, "must not be 0", [&p] { return p.truth_divisor != 0; });
-    set.rule({"reverse_truth_divisor"}, "must not be 0",
-             [&p] { return p.reverse_truth_divisor != 0; });
     set.rule({"disparities"}, "must be two whole numbers, the first not above the second", [&p] {
       const auto& d = p.disparities;
       const auto whole = [](double v) { return v == std::floor(v); };
@@ -124,7 +139,6 @@ class Folder final : public Dataset {
       return std::string();
     };
     scene.images = {path(p_.left), path(p_.right), path(p_.left_mask), path(p_.right_mask)};
-    require(scene);
     scene.truth.disparity = {optional(p_.truth, "true disparities to judge by"), p_.truth_divisor};
     scene.truth.reverse = {optional(p_.reverse_truth, "true disparities of the right view"),
                            p_.reverse_truth_divisor};
@@ -140,16 +154,6 @@ class Folder final : public Dataset {
           Interval{static_cast<int>(p_.disparities[0]), static_cast<int>(p_.disparities[1]) + 1};
     }
     return scene;
-  }
-
-  /// Images and their masks decide what is matched: a gap there is no reason to go on.
-  static void require(const SceneFiles& scene) {
-    for (const std::string& file :
-         {scene.images.right, scene.images.left_mask, scene.images.right_mask}) {
-      if (file.empty() || is_file(file)) continue;
-      throw Error(file + ": no such file, but there is " + scene.images.left +
-                  "; add it, or correct the pattern in the description of the data set");
-    }
   }
 
   Parameters p_;

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <regex>
 
 #include "plugins/dataset/shared/listing.hpp"
 
@@ -34,6 +35,11 @@ std::optional<std::string> match(const std::string& part, const std::string& nam
 }  // namespace
 
 bool has_gap(const std::string& pattern) { return pattern.find(kGap) != std::string::npos; }
+
+bool has_unknown_placeholder(const std::string& pattern) {
+  static const std::regex word("\\{[A-Za-z_]*\\}");
+  return std::regex_search(replace_gaps(pattern, ""), word);
+}
 
 std::string fill(const std::string& pattern, const std::string& scene, const std::string& top) {
   if (pattern.empty()) return {};

@@ -10,6 +10,9 @@ namespace xgm::folder {
 /// Whether the pattern has a gap.
 bool has_gap(const std::string& pattern);
 
+/// Whether it has another word in braces, such as "{scnee}".
+bool has_unknown_placeholder(const std::string& pattern);
+
 /// The pattern with `scene` in every gap, below `top` unless it is absolute; "" for "".
 std::string fill(const std::string& pattern, const std::string& scene, const std::string& top);
 

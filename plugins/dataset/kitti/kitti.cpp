@@ -97,11 +97,7 @@ class Kitti final : public Dataset {
       SceneFiles& scene = found.emplace_back();
       scene.name = name.substr(0, name.rfind('.'));
       scene.images.left = left.file(name);
-      scene.images.right = right.file(name);
-      if (scene.images.right.empty()) {
-        throw Error(right.path() + ": has no " + name + " to go with " + scene.images.left +
-                    "; unpack the archive again");
-      }
+      scene.images.right = right.path() + "/" + name;
       scene.truth.disparity = {occluded.file(name), kValuesPerPixel};
       scene.truth.visible = {visible.file(name), kValuesPerPixel};
       scene.truth.objects = objects.file(name);

@@ -31,8 +31,7 @@ SceneFiles scene_in(const Listing& folder) {
   const Name name(dataset::name_of(folder.path()));
   SceneFiles scene;
   scene.name = name.scene + name.rectification;
-  scene.images.left = folder.image("im0");
-  scene.images.right = folder.image("im1");
+  dataset::add_images(scene, folder);
   const dataset::CalibTxt calib = dataset::add_calib_txt(scene, folder.file("calib.txt"));
   dataset::add_truth(scene, folder);
   const double scale = scale_of_folder(dataset::name_of(dataset::parent_of(folder.path())));

@@ -83,11 +83,7 @@ class SceneFlow final : public Dataset {
       const std::string frame = file.substr(0, file.rfind('.'));
       SceneFiles& scene = found.emplace_back();
       scene.name = scene_name(below, frame);
-      scene.images = {left.file(file), right.file(file), "", ""};
-      if (scene.images.right.empty()) {
-        throw Error(right.path() + ": has no " + file + " to go with " + scene.images.left +
-                    "; unpack the archive again");
-      }
+      scene.images = {left.file(file), right.path() + "/" + file, "", ""};
       const fs::path truth = fs::path(disparity) / below;
       if (!disparity.empty()) {  // positive numbers in both views
         scene.truth.disparity = {file_if_there(truth / "left" / (frame + ".pfm")), 1};

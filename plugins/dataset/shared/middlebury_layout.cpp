@@ -2,23 +2,25 @@
 #include "plugins/dataset/shared/middlebury_layout.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <regex>
 
 #include "plugins/dataset/shared/folders.hpp"
-#include "xgm/base/error.hpp"
 
 namespace xgm::dataset {
 namespace {
 
-/// Whether both images are there.
-bool has_pair(const Listing& folder) {
+/// Whether at least one image is there: half a pair is a scene that lacks the other half.
+bool has_images(const Listing& folder) {
   if (is_middlebury_2001(folder)) return false;
-  const bool left = !folder.image("im0").empty();
-  const bool right = !folder.image("im1").empty();
-  if (left == right) return left;
-  throw Error(folder.path() + ": has no " + (left ? "im1" : "im0") +
-              ".png (or .ppm, .tif, .jpg, ...) beside " + (left ? "im0" : "im1") +
-              "; add it, or give the images with --left and --right");
+  return !folder.image("im0").empty() || !folder.image("im1").empty();
+}
+
+std::string image_or_png(const Listing& folder, const char* stem) {
+  const std::string file = folder.image(stem);
+  return file.empty()
+             ? (std::filesystem::path(folder.path()) / (stem + std::string(".png"))).string()
+             : file;
 }
 
 std::string first_file(const Listing& folder, const char* name, const char* other) {
@@ -29,7 +31,12 @@ std::string first_file(const Listing& folder, const char* name, const char* othe
 }  // namespace
 
 std::vector<Listing> pair_folders(const std::string& folder) {
-  return scene_folders(folder, has_pair);
+  return scene_folders(folder, has_images);
+}
+
+void add_images(SceneFiles& scene, const Listing& folder) {
+  scene.images.left = image_or_png(folder, "im0");
+  scene.images.right = image_or_png(folder, "im1");
 }
 
 bool is_tsukuba(const Listing& folder) {

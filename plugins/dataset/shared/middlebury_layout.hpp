@@ -11,9 +11,11 @@
 
 namespace xgm::dataset {
 
-/// The folders with im0 and im1 that are not of 2001: `folder` itself, or those directly in it.
-/// Throws Error if one has an im0 but no im1 or the other way round.
+/// The folders with im0 or im1 that are not of 2001: `folder` itself, or those directly in it.
 std::vector<Listing> pair_folders(const std::string& folder);
+
+/// The pair; an image that is not there by the name it should have.
+void add_images(SceneFiles& scene, const Listing& folder);
 
 /// Middlebury's scenes of 2001 and 2003, which hold im0 and im1, too, but are not to be matched by
 /// them: the pair is im2 and im6, or else there is 8-bit truth (map), or it is tsukuba.

@@ -24,7 +24,8 @@ TEST_CASE("what nobody recognises is told with all that was looked for") {
   const Tree tree;
   tree.add("photo.png");
   const std::string error = tree.error();
-  for (const char* part : {"middlebury_v3: im0 and im1", "view1 and view5", "kitti: ", "--left"}) {
+  for (const char* part :
+       {"middlebury_v3: im0 and im1", "view1 and view5", "\n  kitti: ", "dataset.yaml"}) {
     CHECK_MESSAGE(contains(error, part), error);
   }
 }
@@ -45,6 +46,7 @@ TEST_CASE("a data set may be named, written as YAML, or in a file; faults are to
   const std::string file = tree.write("my.yaml", "type: middlebury_v3\n");
   CHECK(names(tree.scenes("a", file)) == "a");
   CHECK(contains(tree.error("a", "midlebury_v3"), "did you mean 'middlebury_v3'?"));
+  CHECK(contains(tree.error("a", "nofile.yaml"), "nofile.yaml: no such file"));
   CHECK(contains(tree.error("a", "census"), "is a cost, not a dataset"));
   CHECK(contains(tree.error("a", "folder"), "'left' of folder must be given"));
   CHECK(contains(tree.error("a", "kitti"),

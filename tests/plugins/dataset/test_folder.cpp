@@ -71,12 +71,30 @@ TEST_CASE(
   CHECK(contains(tree.error("d"), "dataset.yaml:1:7: error: there is no dataset called 'foldr'"));
   tree.add_text("d/dataset.yaml", "{type: folder, left: 'L_{scene}.png', right: R.png}\n");
   CHECK(contains(tree.error("d"), "must have '{scene}' if left has it"));
-  tree.add_text("d/dataset.yaml", "{type: folder, left: a, right: b, truth_divisor: 0}\n");
-  CHECK(contains(tree.error("d"), "'truth_divisor' of folder must not be 0"));
+  tree.add_text("d/dataset.yaml", "{type: folder, left: '{scnee}/a', right: '{scene}/b'}\n");
+  CHECK(contains(tree.error("d"), "did you mean {scene}?"));
   tree.add_text("d/dataset.yaml",
                 "{type: folder, left: 'L_{scene}.png', right: 'R_{scene}.png'}\n");
-  CHECK(contains(tree.error("d"), "R_7.png: no such file, but there is"));
+  CHECK(lacks(tree.scenes("d")[0], "R_7.png: without it the scene cannot be matched"));
   tree.add_text("d/dataset.yaml",
                 "{type: folder, left: 'M_{scene}.png', right: 'R_{scene}.png'}\n");
   CHECK(contains(tree.error("d"), "data set folder finds no scene here; it looks for M_"));
+}
+
+TEST_CASE("folder: whole numbers are no truth without a divisor, floats are, reverse ones turned") {
+  const Tree tree;
+  for (const char* name : {"d/l.png", "d/r.png", "d/t.png"}) tree.add(name, 60);
+  tree.add("d/t.pfm", 7);
+  const auto truth = [&](const std::string& keys) {
+    const std::string yaml = "{type: folder, left: l.png, right: r.png, " + keys + "}";
+    return load_truth(tree.scenes("d", yaml)[0].truth, {kTreeWidth, kTreeHeight});
+  };
+  for (const std::string key : {"truth", "reverse_truth"}) {
+    const std::string error = error_of([&] { truth(key + ": t.png"); });
+    CHECK_MESSAGE(contains(error, "t.png: holds whole numbers"), error);
+    CHECK(contains(error, "truth_divisor"));
+  }
+  CHECK(truth("truth: t.png, truth_divisor: 4").disparity(0) == 15);
+  CHECK(truth("truth: t.pfm").disparity(0) == 7);
+  CHECK(truth("reverse_truth: t.pfm").reverse(0) == -7);
 }

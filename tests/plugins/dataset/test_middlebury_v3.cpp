@@ -96,14 +96,17 @@ TEST_CASE("middlebury_v3: a bare pair is a scene that says what it lacks") {
   CHECK(tree.scenes("a")[0].disparities == Interval{0, 8});
 }
 
-TEST_CASE("middlebury_v3: half a pair is an error that says which half") {
+TEST_CASE("middlebury_v3: half a pair is a scene that lacks the other half, and stops no other") {
   const Tree tree;
   tree.add("a/im0.png");
-  CHECK(contains(tree.error("a"), "has no im1"));
-  CHECK(contains(tree.error(), "has no im1"));
-  const Tree other;
-  other.add("im1.png");
-  CHECK(contains(other.error(), "has no im0"));
+  tree.add("b/im0.png");
+  tree.add("b/im1.png");
+  tree.add("c/im1.png");
+  const auto scenes = tree.scenes();
+  REQUIRE(names(scenes) == "a b c");
+  CHECK(lacks(scenes[0], "a/im1.png: without it the scene cannot be matched"));
+  CHECK_FALSE(lacks(scenes[1], "cannot be matched"));
+  CHECK(lacks(scenes[2], "c/im0.png: without it the scene cannot be matched"));
 }
 
 TEST_CASE("calib.txt is read strictly, its faults have file and line") {

@@ -19,9 +19,9 @@ struct PairFiles {
   std::string right_mask;
 };
 
-/// Disparities on disk: PFM (px, not finite = none), or an image of 8 or 16 bit (0 = none).
-/// Disparity in px = value / divisor; a negative divisor makes the house's signs of reverse maps
-/// that are stored as positive numbers.
+/// Disparities on disk: PFM (px, not finite = none), or an image of 8 or 16 bit (0 = none). In px:
+/// value / divisor, negative for reverse maps that are stored as positive numbers. Divisor 0 = not
+/// said: whole numbers are refused, floats divided by 1 (reverse: by -1).
 struct DisparityFile {
   std::string file;  ///< empty: there is none
   double divisor = 1;
