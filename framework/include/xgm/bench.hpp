@@ -104,6 +104,8 @@ struct XGM_API BenchResult {
     return cells[scene * plan.pipelines.size() + pipeline];
   }
   std::size_t failures() const;
+  /// Whether some pipeline is done on the scene.
+  bool any_done(std::size_t scene) const;
 };
 
 /// What a run of one cell came to.

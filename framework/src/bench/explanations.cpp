@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "bench/table.hpp"
-#include "bench/text.hpp"
+#include "text/numbers.hpp"
 #include "xgm/plugin/version.hpp"
 
 namespace xgm {
