@@ -3,6 +3,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include "values.hpp"
 #include "xgm/memory.hpp"
 #include "xgm/metrics.hpp"
 
