@@ -11,6 +11,7 @@
 
 #include "bench_options.hpp"
 #include "common.hpp"
+#include "output_folder.hpp"
 #include "progress.hpp"
 #include "xgm/base/parallel.hpp"
 #include "xgm/bench_process.hpp"
@@ -70,6 +71,14 @@ void require_disparities(const BenchPlan& plan) {
   }
 }
 
+void require_bounds_to_clip_to(const BenchPlan& plan) {
+  for (const BenchScene& scene : plan.scenes) {
+    if (scene.files.disparities) continue;
+    throw UsageError("--clip: nothing gives the ndisp of scene " + scene.files.name +
+                     "; add a line ndisp=NUMBER to its calib.txt, or leave --clip out");
+  }
+}
+
 std::vector<std::string> plugin_files(const Registry& registry) {
   std::vector<std::string> files;
   for (const PluginInfo* plugin : registry.plugins()) {
@@ -90,34 +99,30 @@ std::optional<BenchPlan> make_plan(const BenchOptions& options) {
       .program = identify_program(plugin_files(registry)),
       .threads = options.threads > 0 ? options.threads : thread_count()};
   require_disparities(plan);
+  if (options.rules.clip) require_bounds_to_clip_to(plan);
   if (!options.submit.empty()) check_submission(plan, options.submit, options.method);
   identify_images(plan.scenes);
   return plan;
 }
 
-void make_folder(const std::string& folder) {
-  std::error_code failure;
-  std::filesystem::create_directories(folder, failure);
-  const std::string trial = (std::filesystem::path(folder) / ".writable").string();
-  write_file(trial, "");
-  std::filesystem::remove(trial, failure);
-}
-
 std::vector<std::string> run_arguments(const BenchOptions& options, const BenchPlan& plan,
                                        const BenchPipeline& pipeline, const BenchScene& scene,
                                        const std::string& folder) {
-  std::vector<std::string> words{"run",         pipeline.file,    scene.data_folder,
-                                 "--scene",     scene.files.name, "--output",
-                                 folder,        "--threads",      std::to_string(plan.threads),
-                                 "--log-level", "warning"};
+  std::vector<std::string> words{"run"};
+  // With "=", for values may begin with a dash.
   const auto add = [&](const std::string& option, const std::string& value) {
-    words.insert(words.end(), {option, value});
+    words.push_back(option + "=" + value);
   };
+  add("--scene", scene.files.name);
+  add("--output", folder);
+  add("--threads", std::to_string(plan.threads));
+  add("--log-level", "warning");
   if (!options.dataset.empty()) add("--dataset", options.dataset);
   for (const Override& change : pipeline.overrides) {
     add("--set", change.path + "=" + change.value);
   }
   for (const std::string& file : options.plugins.files) add("--plugin", file);
+  words.insert(words.end(), {"--", pipeline.file, scene.data_folder});
   return words;
 }
 
@@ -188,7 +193,7 @@ int bench(const BenchOptions& options) {
   std::optional<BenchPlan> plan;
   try {
     plan = make_plan(options);
-    if (plan) make_folder(options.output);
+    if (plan) make_output_folder("--output ", options.output);
   } catch (const Error& error) {
     throw UsageError(error.message());
   }

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench_options.hpp"
 
-#include <charconv>
-#include <cmath>
-
+#include "values.hpp"
 #include "xgm/lookup.hpp"
 
 namespace xgm::cli {
@@ -47,12 +45,10 @@ void add_work(CLI::App& command, BenchOptions& options) {
 
 void add_rules(CLI::App& command, BenchOptions& options) {
   command
-      .add_option("--thresholds", options.rules.thresholds,
-                  "Errors above so many px are bad, separated by commas")
-      ->type_name("PX,...")
-      ->delimiter(',')
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
+      .add_option("--thresholds", options.thresholds,
+                  "Errors above these are bad, px after --scale")
+      ->type_name("PX,PX,...")
+      ->default_str("0.5,1,2,4");
   command
       .add_option("--scale", options.scale,
                   "Multiply errors by it before they are judged: 4 judges maps of quarter "
@@ -60,7 +56,7 @@ void add_rules(CLI::App& command, BenchOptions& options) {
       ->type_name("NUMBER|full")
       ->capture_default_str();
   command.add_flag("--clip", options.rules.clip,
-                   "Move disparities into the scene's search range before they are judged, as "
+                   "Move disparities into 0 to ndisp of the scene before they are judged, as "
                    "Middlebury does");
   command
       .add_option("--region", options.rules.region,
@@ -114,15 +110,16 @@ std::vector<std::string> pipeline_names(const BenchOptions& options) {
 
 BenchRules rules_of(const BenchOptions& options) {
   BenchRules rules = options.rules;
+  rules.thresholds = parse_thresholds(options.thresholds);
   if (options.scale == "full") {
     rules.scale = 0;
     return rules;
   }
-  const char* end = options.scale.data() + options.scale.size();
-  const auto [rest, failure] = std::from_chars(options.scale.data(), end, rules.scale);
-  if (failure != std::errc() || rest != end || !std::isfinite(rules.scale) || rules.scale <= 0) {
+  const auto scale = parse_number(options.scale);
+  if (!scale || *scale <= 0) {
     throw UsageError("--scale " + options.scale + ": give a number above 0, or full");
   }
+  rules.scale = *scale;
   return rules;
 }
 

@@ -17,7 +17,8 @@ struct BenchOptions {
   std::vector<std::string> scenes;
   std::vector<std::string> assignments;
   std::vector<std::string> sweeps;
-  BenchRules rules;
+  BenchRules rules;  ///< but for thresholds and scale
+  std::string thresholds;
   std::string scale = "1";
   int threads = 0;
   std::string output = "xgm_bench";

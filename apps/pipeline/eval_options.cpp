@@ -1,25 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "eval_options.hpp"
 
-#include <charconv>
 #include <cmath>
 
-#include "run_options.hpp"
+#include "values.hpp"
 
 namespace xgm::cli {
 namespace {
 
 constexpr const char* kBound = "ndisp";
-
-/// A finite number and nothing else.
-std::optional<double> parse_number(std::string_view text) {
-  double number = 0;
-  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (failure != std::errc() || end != text.data() + text.size() || !std::isfinite(number)) {
-    return std::nullopt;
-  }
-  return number;
-}
 
 CLI::Validator existing(const CLI::Validator& check) {
   return CLI::Validator(check).description("");
@@ -107,22 +96,7 @@ EvaluationRules parse_rules(const EvalOptions& options) {
   if (!std::isfinite(options.scale) || options.scale <= 0) {
     throw UsageError("--scale: must be a number above 0");
   }
-  EvaluationRules rules{.deltas = usual_thresholds(), .scale = options.scale};
-  if (options.thresholds.empty()) return rules;
-  rules.deltas.clear();
-  for (std::size_t begin = 0; begin <= options.thresholds.size();) {
-    const std::size_t end =
-        std::min(options.thresholds.find(',', begin), options.thresholds.size());
-    const auto delta =
-        parse_number(std::string_view(options.thresholds).substr(begin, end - begin));
-    if (!delta || *delta < 0 || (!rules.deltas.empty() && *delta <= rules.deltas.back())) {
-      throw UsageError("--thresholds " + options.thresholds +
-                       ": write rising numbers of px, 0 or more, for example 0.5,1,2,4");
-    }
-    rules.deltas.push_back(*delta);
-    begin = end + 1;
-  }
-  return rules;
+  return {.deltas = parse_thresholds(options.thresholds), .scale = options.scale};
 }
 
 Interval parse_clip(const std::string& text, const std::optional<Interval>& bound) {
@@ -131,9 +105,7 @@ Interval parse_clip(const std::string& text, const std::optional<Interval>& boun
   if (!bound) {
     throw UsageError("--clip ndisp: nothing gives the scene's ndisp; write --clip MIN:MAX");
   }
-  // The benchmark clips to [0, ndisp], although the largest disparity it lets one search is
-  // ndisp-1.
-  return {bound->begin, bound->end + 1};
+  return benchmark_clip(*bound);
 }
 
 }  // namespace xgm::cli

@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "explain_pixels.hpp"
 
-#include <charconv>
 #include <optional>
 
 #include "common.hpp"
+#include "values.hpp"
 
 namespace xgm::cli {
 namespace {
 
 /// A whole number from 0 on, and nothing else.
 std::optional<int> parse_count(const std::string& text) {
-  int number = 0;
-  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
-  const bool whole = failure == std::errc() && end == text.data() + text.size() && number >= 0;
-  return whole ? std::optional(number) : std::nullopt;
+  const auto number = parse_whole(text);
+  return number && *number >= 0 ? number : std::nullopt;
 }
 
 }  // namespace

@@ -10,13 +10,13 @@
 #include "common.hpp"
 #include "console.hpp"
 #include "explain_pixels.hpp"
+#include "output_folder.hpp"
 #include "run_depth.hpp"
 #include "run_inputs.hpp"
 #include "run_observer.hpp"
 #include "run_options.hpp"
 #include "run_results.hpp"
 #include "xgm/base/parallel.hpp"
-#include "xgm/io/file.hpp"
 #include "xgm/io/outputs.hpp"
 #include "xgm/memory.hpp"
 
@@ -31,21 +31,6 @@ class Stopwatch {
   using Clock = std::chrono::steady_clock;
   Clock::time_point start_ = Clock::now();
 };
-
-void make_folder(const std::string& folder) {
-  std::error_code failure;
-  std::filesystem::create_directories(folder, failure);
-  if (!std::filesystem::is_directory(folder)) {
-    throw UsageError("--output " + folder + ": cannot be made: " + failure.message());
-  }
-  try {  // a folder that cannot be written to should not cost the user a run
-    const std::string trial = (std::filesystem::path(folder) / ".writable").string();
-    write_file(trial, "");
-    std::filesystem::remove(trial, failure);
-  } catch (const Error& error) {
-    throw UsageError("--output " + error.message());
-  }
-}
 
 RunRecord begin_record(const RunOptions& options, const NamedPipeline& named,
                        const std::vector<Override>& overrides, const Plan& plan) {
@@ -131,7 +116,7 @@ int run(const RunOptions& options, const std::vector<std::string>& command_line)
   if (!named) return kUsage;
   const Plan plan = make_plan(options, named->pipeline, registry);
   const Extras extras{plan_depth(options, plan), parse_explain(options.explain)};
-  make_folder(options.output);
+  make_output_folder("--output ", options.output);
   RunRecord record = begin_record(options, *named, overrides, plan);
   record.command_line = command_line;
   return run_checked(options, named->pipeline, plan, extras, std::move(record));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "output_folder.hpp"
 #include "xgm/io/point_cloud.hpp"
 
 namespace xgm::cli {
@@ -33,7 +34,7 @@ void require_no_input(const char* option, const std::string& file, const SceneFi
   }
 }
 
-void require_writable(const char* option, const std::string& file) {
+void require_writable_file(const char* option, const std::string& file) {
   if (file.empty()) return;
   const fs::path folder = fs::path(file).parent_path();
   std::error_code unusable;
@@ -42,13 +43,7 @@ void require_writable(const char* option, const std::string& file) {
   if (!folder.empty() && !fs::is_directory(folder, unusable)) {
     throw UsageError(mistake + "there is no folder " + folder.string() + "; make it first");
   }
-  try {  // what cannot be written should not cost the user a run
-    const std::string trial = (folder / ".writable").string();
-    write_file(trial, "");
-    fs::remove(trial, unusable);
-  } catch (const Error& error) {
-    throw UsageError(std::string(option) + " " + error.message());
-  }
+  require_writable(std::string(option) + " ", folder.string());
 }
 
 }  // namespace
@@ -68,8 +63,8 @@ std::optional<DepthPlan> plan_depth(const RunOptions& options, const Plan& plan)
   require_ending("--cloud", depth.cloud, {".ply"});
   require_ending("--depth", depth.depth, {".tiff", ".tif"});
   require_no_input("--depth", depth.depth, *plan.scene);
-  require_writable("--cloud", depth.cloud);
-  require_writable("--depth", depth.depth);
+  require_writable_file("--cloud", depth.cloud);
+  require_writable_file("--depth", depth.depth);
   return depth;
 }
 

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "values.hpp"
 #include "xgm/memory.hpp"
 #include "xgm/metrics.hpp"
 

@@ -1,20 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "run_options.hpp"
 
-#include <charconv>
-
 namespace xgm::cli {
 namespace {
-
-constexpr int kLargestDisparity = 1'000'000;
-
-/// A whole number and nothing else.
-bool parse_whole(std::string_view text, int& number) {
-  if (text.starts_with('+')) text.remove_prefix(1);
-  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return failure == std::errc() && end == text.data() + text.size() &&
-         number >= -kLargestDisparity && number <= kLargestDisparity;
-}
 
 /// The check without its note in the help text, where the type says FILE already.
 CLI::Validator existing_file() { return CLI::Validator(CLI::ExistingFile).description(""); }
@@ -179,20 +167,6 @@ void add_explain_options(CLI::App& command, RunOptions& options, std::vector<std
   add_matching(command, options);
   add_truth(command, options);
   add_surroundings(command, options);
-}
-
-Interval parse_disparities(const std::string& text, const std::string& option) {
-  const std::size_t colon = text.find(':');
-  int first = 0, last = 0;
-  if (colon == std::string::npos || !parse_whole(text.substr(0, colon), first) ||
-      !parse_whole(text.substr(colon + 1), last)) {
-    throw UsageError(option + " " + text + ": write MIN:MAX in whole px, for example 0:63");
-  }
-  if (first > last) {
-    throw UsageError(option + " " + text + ": the smallest comes first; did you mean " +
-                     std::to_string(last) + ":" + std::to_string(first) + "?");
-  }
-  return {first, last + 1};
 }
 
 std::pair<std::string, std::string> parse_range_maps(const std::string& text) {

@@ -39,8 +39,6 @@ void add_run_options(CLI::App& command, RunOptions& options);
 /// The same but for what is written; `place` takes "[SCENE_DIR] X Y".
 void add_explain_options(CLI::App& command, RunOptions& options, std::vector<std::string>& place);
 
-/// "MIN:MAX", both included. Throws UsageError, which names the option.
-Interval parse_disparities(const std::string& text, const std::string& option = "--disparities");
 /// "min.pfm,max.pfm". Throws UsageError.
 std::pair<std::string, std::string> parse_range_maps(const std::string& text);
 

@@ -8,7 +8,8 @@
 #include <memory>
 
 #include "common.hpp"
-#include "run_options.hpp"
+#include "output_folder.hpp"
+#include "values.hpp"
 #include "xgm/base/parallel.hpp"
 #include "xgm/synthesis.hpp"
 
@@ -61,9 +62,7 @@ synthesis::Options parse(const SynthOptions& options) {
 void prepare_folder(const SynthOptions& options) {
   std::error_code failure;
   const fs::path folder(options.folder);
-  fs::create_directories(folder, failure);
-  if (!fs::is_directory(folder, failure))
-    throw UsageError(options.folder + ": cannot be made a folder: " + failure.message());
+  make_output_folder("", options.folder);
   const bool empty = fs::is_empty(folder, failure);
   if (failure) throw UsageError(options.folder + ": cannot be read: " + failure.message());
   if (!empty && !options.force)

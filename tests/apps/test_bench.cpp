@@ -161,6 +161,16 @@ TEST_CASE("a broken scene is a marked row, and the exit code tells") {
   CHECK(desk.both().exit_code == 0);
 }
 
+TEST_CASE("a scene whose name looks like an option is a scene") {
+  const Desk desk;
+  desk.add_scene("-three", 7);
+  const Outcome outcome =
+      desk.bench("--pipelines a.yaml --data trainingQ --threads 1 --scenes=-three");
+  INFO(outcome.errors);
+  CHECK(outcome.exit_code == 0);
+  CHECK(fs::exists(desk / "xgm_bench/a/trainingQ/-three/disparity.pfm"));
+}
+
 TEST_CASE("mistakes are told before any run") {
   const Desk desk;
   check_usage(desk.bench("--pipelines a.yaml,nobody --data trainingQ"), "'nobody'");
@@ -169,11 +179,17 @@ TEST_CASE("mistakes are told before any run") {
   check_usage(desk.both("--sweep matcher.matcher.penalty.p1=4,-1"), "p1");
   check_usage(desk.both("--sweep matcher.scale=4,8"), "scale");
   check_usage(desk.both("--sweep matcher.scale"), "PATH=VALUE");
+  check_usage(
+      desk.both("--sweep matcher.matcher.penalty.p1=4 --sweep matcher.matcher.penalty.p1=5"),
+      "is given twice");
   check_usage(desk.both("--scale half"), "above 0, or full");
+  check_usage(desk.both("--thresholds 2,1"), "write rising numbers");
   check_usage(desk.both("--submit kitti"), "not called as KITTI's frames");
   check_usage(desk.both("--submit eth3d --method mine"), "one at a time");
   desk.write("trainingQ/two/calib.txt", "width=40\n");
   check_usage(desk.both(), "nothing says which disparities");
+  check_usage(desk.both("--clip --set 'disparities=[0, 7]'"),
+              "nothing gives the ndisp of scene two");
 }
 
 TEST_CASE("--submit writes the benchmark's folders") {

@@ -53,6 +53,8 @@ TEST_CASE("scenes: a table with what is missing, and JSON") {
   const auto json = nlohmann::json::parse(desk.call("scenes data --json").output);
   CHECK(json[1]["name"] == "full");
   CHECK(json[1]["calibration"]["doffs_px"] == 1);
+  std::filesystem::rename(desk / "data/bare", desk / "data/caf\xe9");  // no UTF-8
+  CHECK(nlohmann::json::parse(desk.call("scenes data --json").output).size() == 2);
   const Outcome none = desk.call("scenes .");
   CHECK(none.exit_code == 2);
   CHECK(contains(none.errors, "is no scene and holds none"));

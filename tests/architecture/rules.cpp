@@ -174,7 +174,7 @@ class CycleFinder {
 };
 
 bool is_source(const std::filesystem::path& path) {
-  static const std::set<std::string> endings{".hpp", ".h", ".cpp", ".cmake"};
+  static const std::set<std::string> endings{".hpp", ".h", ".cpp", ".cmake", ".js", ".css", ".py"};
   return endings.contains(path.extension().string()) || path.filename() == "CMakeLists.txt";
 }
 
@@ -212,6 +212,7 @@ Faults missing_licences(const Tree& tree) {
   Faults faults;
   for (const auto& [file, text] : tree)
     if (!starts_with_any(text, {"// SPDX-License-Identifier: Apache-2.0\n",
+                                "/* SPDX-License-Identifier: Apache-2.0 */\n",
                                 "# SPDX-License-Identifier: Apache-2.0\n"}))
       faults.push_back(file + " does not begin with the SPDX line");
   return faults;

@@ -29,7 +29,8 @@ struct SweepPoint {
   std::string name;  ///< "+scale=4+directions=8"; "" without sweeps
   std::vector<Override> overrides;
 };
-/// All combinations, the last sweep changing fastest; one empty point without sweeps.
+/// All combinations, the last sweep changing fastest; one empty point without sweeps. Throws Error
+/// if two sweeps have one path.
 XGM_API std::vector<SweepPoint> sweep_points(const std::vector<Sweep>& sweeps);
 
 /// A checked pipeline.
@@ -75,7 +76,7 @@ XGM_API std::vector<FileIdentity> identify_program(const std::vector<std::string
 struct BenchRules {
   std::vector<double> thresholds = usual_thresholds();  ///< px after scaling
   double scale = 1;   ///< see EvaluationRules; 0: that of each scene
-  bool clip = false;  ///< to the scene's disparities
+  bool clip = false;  ///< benchmark_clip of the scene's disparities, where it has any
   /// A region of evaluate_regions. Empty: "non-occluded", "all" where a scene does not tell them
   /// apart.
   std::string region;
@@ -104,6 +105,8 @@ struct XGM_API BenchResult {
     return cells[scene * plan.pipelines.size() + pipeline];
   }
   std::size_t failures() const;
+  /// Whether some pipeline is done on the scene.
+  bool any_done(std::size_t scene) const;
 };
 
 /// What a run of one cell came to.

@@ -12,7 +12,7 @@
 namespace xgm {
 
 struct Judgement {
-  std::vector<InputFile> inputs;  ///< roles "map", "truth", "mask", "objects", "confidence", ...
+  std::vector<InputFile> inputs;  ///< roles "map", "truth", "truth mask", "object map", ...
   cv::Size size;
   EvaluationRules rules;
   std::vector<RegionEvaluation> regions;

@@ -28,6 +28,10 @@ struct EvaluationRules {
   Interval clip{};
 };
 
+/// The clip of Middlebury's evaluation, for what it lets one search: it moves disparities into
+/// 0 to ndisp, both included, although the largest to search is ndisp - 1.
+inline Interval benchmark_clip(Interval searched) { return {searched.begin, searched.end + 1}; }
+
 /// Shares of the judged pixels at one threshold, 0 to 1.
 struct ThresholdScore {
   double delta = 1;  ///< px after scaling

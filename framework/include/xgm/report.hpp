@@ -22,7 +22,7 @@ struct ReportLevel {
   std::string stage_path;               ///< "matcher.s4"
   int scale = 1;                        ///< how many times smaller than the images it is
   DisparityMap map;                     ///< as it left the level's matcher
-  std::optional<DisparityRange> range;  ///< what was searched; none: all of the run's range
+  std::optional<DisparityRange> range;  ///< what was searched; none: not known
 };
 
 /// One pipeline's result on one scene.
@@ -65,13 +65,15 @@ XGM_API std::string html_text(const std::string& text);
 /// Keeps what a report shows of a pyramid's levels: copies of their maps and ranges.
 class XGM_API LevelCollector final : public Observer {
  public:
+  void stage_input(const std::string& stage_path, const Artifact& input) override;
   void stage_end(const std::string& stage_path, const StageStatistics& statistics,
                  const Artifact& result) override;
   /// The levels that have a map, coarsest first.
   std::vector<ReportLevel> levels() const;
 
  private:
-  ReportLevel& level(const std::string& stage_path, int scale);
+  /// The level whose matcher this is, made if need be; null if it is none of a level's base view.
+  ReportLevel* level_at(const std::string& matcher_path);
   std::vector<ReportLevel> levels_;
 };
 

@@ -43,17 +43,6 @@ class MeanEvaluation {
   Evaluation sum_;
 };
 
-bool is_done(const BenchResult& result, std::size_t pipeline, std::size_t scene) {
-  return result.at(pipeline, scene).state == CellState::done;
-}
-
-bool any_done(const BenchResult& result, std::size_t scene) {
-  for (std::size_t i = 0; i < result.plan.pipelines.size(); ++i) {
-    if (is_done(result, i, scene)) return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 std::vector<std::string> sets(const BenchResult& result) {
@@ -74,12 +63,12 @@ BenchAverage average(const BenchResult& result, std::size_t pipeline, const std:
     const BenchScene& scene = result.plan.scenes[i];
     if (scene.set != set) continue;
     ++average.of;
-    if (!is_done(result, pipeline, i)) {
-      if (any_done(result, i)) average.comparable = false;
+    const BenchCell& cell = result.at(pipeline, i);
+    if (cell.state != CellState::done) {
+      if (result.any_done(i)) average.comparable = false;
       continue;
     }
     ++average.scenes;
-    const BenchCell& cell = result.at(pipeline, i);
     figures.seconds += cell.seconds;
     figures.density += cell.density;
     figures.evaluations += cell.evaluations;

@@ -2,7 +2,8 @@
 // All figures of the region judged, one line per average and per cell.
 #include <cmath>
 
-#include "bench/text.hpp"
+#include "bench/table.hpp"
+#include "text/numbers.hpp"
 #include "xgm/bench_tables.hpp"
 
 namespace xgm {
@@ -32,11 +33,9 @@ class Lines {
 
   void add(const std::string& kind, const std::string& set, const std::string& scene,
            std::size_t pipeline, std::size_t scenes, double weight, const BenchCell& cell) {
-    const char* state = cell.state == CellState::done     ? "done"
-                        : cell.state == CellState::failed ? "failed"
-                                                          : "not run";
-    for (const std::string& text : {kind, set, scene, result_.plan.pipelines[pipeline].name,
-                                    std::string(state), std::to_string(scenes), number(weight)}) {
+    for (const std::string& text :
+         {kind, set, scene, result_.plan.pipelines[pipeline].name,
+          std::string(state_text(cell.state)), std::to_string(scenes), number(weight)}) {
       out_ += field(text) + ",";
     }
     const bool done = cell.state == CellState::done;

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "bench/table.hpp"
-#include "bench/text.hpp"
+#include "text/numbers.hpp"
 #include "xgm/plugin/version.hpp"
 
 namespace xgm {
@@ -34,7 +34,7 @@ std::vector<std::string> explanations(const BenchResult& result) {
           "second, width x height x disparities of the search range / seconds.",
       "Averages: errors by the data set's weights; seconds are a mean, MB the largest.",
       "Made with xgm " XGM_VERSION "."};
-  if (result.rules.clip) texts.insert(texts.begin() + 2, "Disparities are clipped to the range.");
+  if (result.rules.clip) texts.insert(texts.begin() + 2, "Disparities are clipped to 0 to ndisp.");
   return texts;
 }
 

@@ -2,6 +2,7 @@
 // All that a bench knows, as JSON.
 #include <nlohmann/json.hpp>
 
+#include "bench/table.hpp"
 #include "metrics/evaluation_json.hpp"
 #include "xgm/bench_tables.hpp"
 #include "xgm/plugin/version.hpp"
@@ -64,9 +65,7 @@ Json cells(const BenchResult& result) {
                    {"pipeline", result.plan.pipelines[i].name},
                    {"weight", where.files.weight},
                    {"folder", cell_folder(result.plan, i, scene)},
-                   {"state", cell.state == CellState::done     ? "done"
-                             : cell.state == CellState::failed ? "failed"
-                                                               : "not run"}};
+                   {"state", state_text(cell.state)}};
       add_figures(json, cell);
       list.push_back(std::move(json));
     }

@@ -49,7 +49,8 @@ BenchCell judge_cell(const std::string& folder, const BenchScene& scene, const B
   const DisparityMap map = read_result(folder);
   EvaluationRules evaluation{.deltas = rules.thresholds,
                              .scale = rules.scale > 0 ? rules.scale : scene.files.scale};
-  if (rules.clip) evaluation.clip = scene.files.disparities.value_or(Interval{});
+  const auto& searched = scene.files.disparities;
+  if (rules.clip && searched) evaluation.clip = benchmark_clip(*searched);
   cell.regions = evaluate_regions(map, load_truth(scene.files.truth, map.size()), evaluation);
   return cell;
 }

@@ -18,6 +18,8 @@ std::string unique(const std::string& name, std::set<std::string>& taken) {
   return result;
 }
 
+std::string fingerprint(const std::string& text) { return std::to_string(fnv1a64(text) % 1000000); }
+
 fs::path plain(const fs::path& path) {
   std::error_code ignored;
   const fs::path folder = fs::weakly_canonical(path, ignored);
@@ -33,6 +35,13 @@ bool is_scene_folder(const BenchScene& scene, const std::vector<BenchScene>& all
          });
 }
 
+/// Names that differ stay different, whatever other scenes there are: results are found again by
+/// it.
+std::string scene_folder_name(const std::string& scene) {
+  const std::string name = folder_name(scene);
+  return name == scene ? name : name + "-" + fingerprint(scene);
+}
+
 }  // namespace
 
 std::string folder_name(const std::string& text) {
@@ -44,9 +53,7 @@ std::string folder_name(const std::string& text) {
     name += letter || other || harmless.find(c) != std::string::npos ? c : '_';
   }
   constexpr std::size_t kLongest = 120;  // file systems end at 255
-  if (name.size() > kLongest) {
-    name = name.substr(0, kLongest) + "-" + std::to_string(fnv1a64(text) % 1000000);
-  }
+  if (name.size() > kLongest) name = name.substr(0, kLongest) + "-" + fingerprint(text);
   return name.find_first_not_of('.') == std::string::npos ? "_" + name : name;
 }
 
@@ -73,7 +80,7 @@ void name_folders(std::vector<BenchPipeline>& pipelines) {
 std::string cell_folder(const BenchPlan& plan, std::size_t pipeline, std::size_t scene) {
   const BenchScene& where = plan.scenes[scene];
   return (fs::path(plan.output) / plan.pipelines[pipeline].name / where.set /
-          folder_name(where.files.name))
+          scene_folder_name(where.files.name))
       .string();
 }
 

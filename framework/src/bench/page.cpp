@@ -74,13 +74,6 @@ ReportScene show(const BenchResult& result, std::size_t scene) {
   return shown;
 }
 
-bool any_done(const BenchResult& result, std::size_t scene) {
-  for (std::size_t i = 0; i < result.plan.pipelines.size(); ++i) {
-    if (result.at(i, scene).state == CellState::done) return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 std::string bench_html(const BenchResult& result) {
@@ -89,7 +82,7 @@ std::string bench_html(const BenchResult& result) {
                 .scenes = {},
                 .max_bytes = kMostBytes};
   for (std::size_t scene = 0; scene < result.plan.scenes.size(); ++scene) {
-    if (any_done(result, scene)) report.scenes.push_back(show(result, scene));
+    if (result.any_done(scene)) report.scenes.push_back(show(result, scene));
   }
   return report_html(report);
 }

@@ -95,6 +95,13 @@ BenchResult run_bench(const BenchPlan& plan, const BenchRules& rules, const Benc
   return Bench(plan, rules, hooks).run();
 }
 
+bool BenchResult::any_done(std::size_t scene) const {
+  for (std::size_t i = 0; i < plan.pipelines.size(); ++i) {
+    if (at(i, scene).state == CellState::done) return true;
+  }
+  return false;
+}
+
 std::size_t BenchResult::failures() const {
   return static_cast<std::size_t>(std::count_if(cells.begin(), cells.end(), [](const auto& cell) {
     return cell.state == CellState::failed;

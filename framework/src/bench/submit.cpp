@@ -7,14 +7,14 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
-#include <opencv2/imgcodecs.hpp>
-#include <optional>
 #include <regex>
 
 #include "bench/judge.hpp"
-#include "bench/text.hpp"
+#include "text/numbers.hpp"
+#include "text/shell.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/bench_submission.hpp"
+#include "xgm/io/image_io.hpp"
 #include "xgm/io/pfm.hpp"
 
 namespace xgm {
@@ -71,9 +71,9 @@ std::string kitti_frame(const BenchScene& scene) {
 }
 
 /// 16 bit, 256 times the disparity, 0 where there is none.
-cv::Mat_<std::uint16_t> kitti_image(const cv::Mat1f& map) {
+cv::Mat1w kitti_image(const cv::Mat1f& map) {
   constexpr double kUnits = 256;
-  cv::Mat_<std::uint16_t> image(map.size(), 0);
+  cv::Mat1w image(map.size(), 0);
   for (int y = 0; y < map.rows; ++y) {
     for (int x = 0; x < map.cols; ++x) {
       if (!std::isfinite(map(y, x))) continue;
@@ -87,10 +87,8 @@ cv::Mat_<std::uint16_t> kitti_image(const cv::Mat1f& map) {
 void write_kitti(const Upload& upload) {
   const fs::path folder = upload.folder / "disp_0";
   fs::create_directories(folder);
-  std::vector<std::uint8_t> bytes;
-  cv::imencode(".png", kitti_image(upload.map.disparity), bytes);
-  write_file((folder / (kitti_frame(upload.scene) + ".png")).string(),
-             std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+  write_png((folder / (kitti_frame(upload.scene) + ".png")).string(),
+            kitti_image(upload.map.disparity));
 }
 
 struct Benchmark {
@@ -123,12 +121,6 @@ bool is_complete(const BenchResult& result, std::size_t pipeline) {
     if (result.at(pipeline, scene).state != CellState::done) return false;
   }
   return true;
-}
-
-std::string quoted(const std::string& path) {
-  std::string out = "'";
-  for (const char c : path) out += c == '\'' ? "'\\''" : std::string(1, c);
-  return out + "'";
 }
 
 }  // namespace
@@ -166,7 +158,8 @@ std::vector<std::string> write_submission(const BenchResult& result, const std::
                                          .sparse = is_sparse(result, i),
                                          .seconds = result.at(i, scene).seconds});
     }
-    commands.push_back("cd " + quoted(folder.string()) + " && zip -r ../" + name + ".zip *");
+    commands.push_back("cd " + shell_word(folder.string()) + " && zip -r " +
+                       shell_word("../" + name + ".zip") + " *");
   }
   return commands;
 }

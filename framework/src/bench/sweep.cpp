@@ -41,6 +41,12 @@ std::string short_name(const Sweep& sweep, const std::vector<Sweep>& all) {
   return namesakes == 1 ? last_key(sweep.path) : sweep.path;
 }
 
+void require_once(const Sweep& sweep, const std::vector<Sweep>& all) {
+  const auto same = [&](const Sweep& other) { return other.path == sweep.path; };
+  if (std::count_if(all.begin(), all.end(), same) == 1) return;
+  throw Error("--sweep " + sweep.path + ": is given twice; list all its values in one");
+}
+
 }  // namespace
 
 Sweep parse_sweep(const std::string& text) {
@@ -62,6 +68,7 @@ Sweep parse_sweep(const std::string& text) {
 std::vector<SweepPoint> sweep_points(const std::vector<Sweep>& sweeps) {
   std::vector<SweepPoint> points(1);
   for (const Sweep& sweep : sweeps) {
+    require_once(sweep, sweeps);
     std::vector<SweepPoint> longer;
     for (const SweepPoint& point : points) {
       for (const std::string& value : sweep.values) {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench/table.hpp"
+#include "text/numbers.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <map>
-
-#include "bench/text.hpp"
 
 namespace xgm {
 namespace {
@@ -177,6 +176,18 @@ std::string average_title(const BenchResult& result, const std::string& set,
 
 }  // namespace
 
+const char* state_text(CellState state) {
+  switch (state) {
+    case CellState::done:
+      return "done";
+    case CellState::failed:
+      return "failed";
+    case CellState::not_run:
+      return "not run";
+  }
+  return "";
+}
+
 std::string figure_text(double value, int decimals) {
   if (!std::isfinite(value)) return kNoFigure;
   return fixed_number(value, decimals);
@@ -222,8 +233,7 @@ Table scene_table(const BenchResult& result, const std::string& set) {
     mark_best(pointers(rows), table.names, figures);
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const CellState state = result.at(i, scene).state;
-      if (state == CellState::failed) rows[i][table.names].text = "failed";
-      if (state == CellState::not_run) rows[i][table.names].text = "not run";
+      if (state != CellState::done) rows[i][table.names].text = state_text(state);
     }
     table.rows.insert(table.rows.end(), rows.begin(), rows.end());
   }

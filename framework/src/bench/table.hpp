@@ -32,6 +32,9 @@ Table scene_table(const BenchResult& result, const std::string& set);
 /// What the figures mean, a sentence each.
 std::vector<std::string> explanations(const BenchResult& result);
 
+/// "done", "failed" or "not run"
+const char* state_text(CellState state);
+
 /// Two decimals of a share in percent, and so on; kNoFigure for what is not finite.
 std::string figure_text(double value, int decimals);
 

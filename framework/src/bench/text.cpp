@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The averages for terminals, and numbers as all formats write them.
-#include "bench/text.hpp"
-
+// The averages for terminals.
 #include <algorithm>
-#include <array>
-#include <charconv>
 
 #include "bench/table.hpp"
 
@@ -42,22 +38,6 @@ std::string render(const Table& table) {
 }
 
 }  // namespace
-
-std::string short_number(double value) {
-  std::array<char, 32> digits;
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-  return {digits.data(), end};
-}
-
-std::string fixed_number(double value, int decimals) {
-  std::array<char, 400> digits;  // the largest double has 309 digits
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value,
-                                 std::chars_format::fixed, decimals)
-                       .ptr;
-  const std::string text(digits.data(), end);
-  const bool zero = text.find_first_not_of("-0.") == std::string::npos;
-  return zero && text.starts_with('-') ? text.substr(1) : text;
-}
 
 std::string bench_text(const BenchResult& result) {
   std::string out;

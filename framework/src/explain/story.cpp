@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "explain/story.hpp"
 
-#include <cmath>
-#include <sstream>
-
 #include "explain/levels.hpp"
+#include "text/numbers.hpp"
 
 namespace xgm::explain {
 namespace {
@@ -55,14 +53,10 @@ std::string gain(const ExplainedEvent& event) {
 }  // namespace
 
 std::string number(double value) {
-  std::ostringstream text;
-  text.setf(std::ios::fixed);
-  text.precision(2);
-  text << value;
-  std::string digits = text.str();
+  std::string digits = fixed_number(value, 2);
   while (digits.ends_with('0')) digits.pop_back();
   if (digits.ends_with('.')) digits.pop_back();
-  return digits == "-0" ? "0" : digits;
+  return digits;
 }
 
 std::string range_text(Interval range) {

@@ -55,7 +55,8 @@ Json scene_json(const SceneFiles& scene) {
 std::string to_json(const std::vector<SceneFiles>& scenes) {
   Json list = Json::array();
   for (const SceneFiles& scene : scenes) list.push_back(scene_json(scene));
-  return list.dump(2);
+  // File names may be in any encoding; JSON is UTF-8.
+  return list.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace xgm

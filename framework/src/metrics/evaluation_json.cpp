@@ -3,17 +3,13 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
-
-#include "xgm/base/error.hpp"
 
 namespace xgm {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-// One list for both directions.
 constexpr std::array kFigures = {std::pair{"invalid", &Evaluation::invalid},
                                  std::pair{"average_error_px", &Evaluation::average_error},
                                  std::pair{"rms_px", &Evaluation::rms},
@@ -24,10 +20,6 @@ constexpr std::array kFigures = {std::pair{"invalid", &Evaluation::invalid},
                                  std::pair{"d1", &Evaluation::d1}};
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
-
-double number(const Json& json) {
-  return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
-}
 
 Json to_json(const SparsificationCurve& curve) {
   return {{"value", curve.value},
@@ -55,30 +47,6 @@ Json to_json(const std::vector<RegionEvaluation>& evaluations) {
   Json json = Json::array();
   for (const RegionEvaluation& region : evaluations) json.push_back(to_json(region));
   return json;
-}
-
-RegionEvaluation evaluation_from_json(const Json& json) {
-  try {
-    RegionEvaluation region{json.at("region").get<std::string>(), {}};
-    Evaluation& evaluation = region.evaluation;
-    evaluation.judged = json.at("judged_pixels").get<std::int64_t>();
-    for (const auto& [name, figure] : kFigures) evaluation.*figure = number(json.at(name));
-    for (const Json& score : json.at("thresholds")) {
-      evaluation.at.push_back({score.at("delta_px").get<double>(), score.at("bad").get<double>(),
-                               score.at("total").get<double>()});
-    }
-    return region;
-  } catch (const Json::exception& error) {
-    throw Error(std::string("an evaluation cannot be read from JSON: ") + error.what() +
-                "; make it again");
-  }
-}
-
-std::vector<RegionEvaluation> evaluations_from_json(const Json& json) {
-  if (!json.is_array()) throw Error("evaluations cannot be read from JSON: not a list");
-  std::vector<RegionEvaluation> evaluations;
-  for (const Json& region : json) evaluations.push_back(evaluation_from_json(region));
-  return evaluations;
 }
 
 Json to_json(const RegionSparsification& region) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Evaluations as JSON: one form for run.json, `pipeline eval` and `pipeline bench`, which reads it
-// back. Figures that are not known (NaN) are null. docs/evaluate.md lists the fields. Exported for
-// the tests only: the header is not installed.
+// Evaluations as JSON: one form for run.json, `pipeline eval` and `pipeline bench`. Figures that
+// are not known (NaN) are null. docs/evaluate.md lists the fields. Exported for the tests only: the
+// header is not installed.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -13,9 +13,6 @@ namespace xgm {
 
 XGM_API nlohmann::ordered_json to_json(const RegionEvaluation& evaluation);
 XGM_API nlohmann::ordered_json to_json(const std::vector<RegionEvaluation>& evaluations);
-/// The inverse, exact to the last bit. Throw Error if `json` has another form.
-XGM_API RegionEvaluation evaluation_from_json(const nlohmann::ordered_json& json);
-XGM_API std::vector<RegionEvaluation> evaluations_from_json(const nlohmann::ordered_json& json);
 
 nlohmann::ordered_json to_json(const RegionSparsification& sparsification);
 

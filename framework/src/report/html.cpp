@@ -2,9 +2,9 @@
 #include "report/html.hpp"
 
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "text/numbers.hpp"
 #include "xgm/report.hpp"
 
 namespace xgm {
@@ -43,9 +43,7 @@ namespace report {
 
 std::string number(double value, int decimals) {
   if (!std::isfinite(value)) return "–";
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
+  return fixed_number(value, decimals);
 }
 
 std::string percent(double share) {

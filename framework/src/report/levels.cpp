@@ -7,17 +7,16 @@
 
 namespace xgm {
 
+void LevelCollector::stage_input(const std::string& stage_path, const Artifact& input) {
+  if (const auto* const* request = std::get_if<const MatchRequest*>(&input)) {
+    if (ReportLevel* level = level_at(stage_path)) level->range = (*request)->range;
+  }
+}
+
 void LevelCollector::stage_end(const std::string& stage_path, const StageStatistics&,
                                const Artifact& result) {
-  static const std::regex at_level(R"(((?:.*\.)?s(\d+))\.(?:matcher|search_range))");
-  std::smatch match;
-  if (!std::regex_match(stage_path, match, at_level)) return;
-  if (stage_path.find("reverse.") != std::string::npos) return;
-  const auto at = [&]() -> ReportLevel& { return level(match[1], std::stoi(match[2])); };
   if (const auto* const* matched = std::get_if<const MatchResult*>(&result)) {
-    at().map = (*matched)->forward.clone();
-  } else if (const auto* const* range = std::get_if<const DisparityRange*>(&result)) {
-    at().range = **range;
+    if (ReportLevel* level = level_at(stage_path)) level->map = (*matched)->forward.clone();
   }
 }
 
@@ -30,15 +29,20 @@ std::vector<ReportLevel> LevelCollector::levels() const {
   return finished;
 }
 
-ReportLevel& LevelCollector::level(const std::string& stage_path, int scale) {
+ReportLevel* LevelCollector::level_at(const std::string& matcher_path) {
+  static const std::regex at_level(R"(((?:.*\.)?s(\d+))\.matcher)");
+  std::smatch match;
+  if (!std::regex_match(matcher_path, match, at_level)) return nullptr;
+  if (matcher_path.find("reverse.") != std::string::npos) return nullptr;
+  const std::string stage_path = match[1];
   const auto known = std::find_if(levels_.begin(), levels_.end(), [&](const ReportLevel& level) {
     return level.stage_path == stage_path;
   });
-  if (known != levels_.end()) return *known;
+  if (known != levels_.end()) return &*known;
   ReportLevel fresh;
   fresh.stage_path = stage_path;
-  fresh.scale = scale;
-  return levels_.emplace_back(std::move(fresh));
+  fresh.scale = std::stoi(match[2]);
+  return &levels_.emplace_back(std::move(fresh));
 }
 
 }  // namespace xgm

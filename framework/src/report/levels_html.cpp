@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "report/html.hpp"
-#include "report/level_ranges.hpp"
 #include "report/pictures.hpp"
 #include "report/record_html.hpp"
 #include "report/stages_html.hpp"
@@ -17,13 +16,12 @@ std::string scale_text(int scale) {
 }
 
 /// A cost of one level: what it searched, what it found and what it took.
-Row row_of(const ReportLevel& level, const std::optional<DisparityRange>& range,
-           const Json& record) {
+Row row_of(const ReportLevel& level, const Json& record) {
   Row row{scale_text(level.scale),
           std::to_string(level.map.size().width) + " × " + std::to_string(level.map.size().height)};
-  if (range) {
-    const Interval hull = range->hull();
-    const double mean = cv::mean(range_maps(*range).count)[0];
+  if (level.range) {
+    const Interval hull = level.range->hull();
+    const double mean = cv::mean(range_maps(*level.range).count)[0];
     row.push_back(std::to_string(hull.begin) + " to " + std::to_string(hull.end - 1));
     row.push_back(number(mean, 1));
   } else {
@@ -42,9 +40,8 @@ std::string disparity_figure(const ReportLevel& level, const Span& span, const S
                  ramp_legend(disparity_ramp(), here, " px", "none")});
 }
 
-std::string range_figure(const ReportLevel& level, const DisparityRange& range,
-                         const Sampling& sampling) {
-  cv::Mat1f counts = sampled(range_maps(range).count, sampling);
+std::string range_figure(const ReportLevel& level, const Sampling& sampling) {
+  cv::Mat1f counts = sampled(range_maps(*level.range).count, sampling);
   double most = 1;
   cv::minMaxLoc(counts, nullptr, &most);
   counts.setTo(std::nanf(""), counts == 0);
@@ -62,11 +59,10 @@ std::string levels_html(const SceneView& view, std::size_t i, double pixels) {
   std::vector<Row> rows;
   std::string figures;
   for (const ReportLevel& level : run.levels) {
-    const auto range = searched(level, view.records[i]);
-    rows.push_back(row_of(level, range, view.records[i]));
+    rows.push_back(row_of(level, view.records[i]));
     const Sampling sampling = Sampling::within(level.map.size(), pixels / 4);
     figures += disparity_figure(level, view.span, sampling);
-    if (range) figures += range_figure(level, *range, sampling);
+    if (level.range) figures += range_figure(level, sampling);
   }
   return "<h4>Levels of the pyramid</h4>" +
          table({"Level", "Pixels", "Searched, px", "Mean number", "With a disparity", "Time"},

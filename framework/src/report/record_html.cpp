@@ -6,6 +6,7 @@
 
 #include "report/html.hpp"
 #include "report/yaml_text.hpp"
+#include "text/shell.hpp"
 #include "xgm/report.hpp"
 
 namespace xgm::report {
@@ -27,20 +28,10 @@ const Json& ranking_region(const Json& record) {
   return regions.empty() ? kNothing : regions.front();
 }
 
-/// As a shell would take it.
-std::string quoted(const std::string& argument) {
-  constexpr const char* kPlain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./@%";
-  if (!argument.empty() && argument.find_first_not_of(kPlain) == std::string::npos) return argument;
-  std::string text = "'";
-  for (const char c : argument) text += c == '\'' ? "'\\''" : std::string(1, c);
-  return text + "'";
-}
-
 std::string command_line(const Json& record) {
   std::string text = "pipeline";
   for (const Json& argument : at(record, "/command_line")) {
-    if (argument.is_string()) text += " " + quoted(argument.get<std::string>());
+    if (argument.is_string()) text += " " + shell_word(argument.get<std::string>());
   }
   return "<pre>" + html_text(text) + "</pre>";
 }

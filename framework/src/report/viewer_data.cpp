@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/viewer_data.hpp"
 
-#include "report/level_ranges.hpp"
 #include "report/pictures.hpp"
 
 namespace xgm::report {
@@ -27,13 +26,13 @@ Json grid(const Sampling& sampling, int scale) {
           {"scale", scale}};
 }
 
-Json level_json(const ReportLevel& level, const Json& record, double pixels) {
+Json level_json(const ReportLevel& level, double pixels) {
   const Sampling sampling = Sampling::within(level.map.size(), pixels / 2);
   Json json = {{"grid", grid(sampling, level.scale)},
                {"disparity", packed_numbers(sampled(level.map.disparity, sampling))},
                {"status", packed_codes(sampled(level.map.status, sampling))}};
-  if (const auto range = searched(level, record)) {
-    const RangeMaps maps = range_maps(*range);
+  if (level.range) {
+    const RangeMaps maps = range_maps(*level.range);
     json["first"] = packed_numbers(sampled(maps.first, sampling));
     json["last"] = packed_numbers(sampled(maps.last, sampling));
   }
@@ -48,7 +47,7 @@ Json run_json(const SceneView& view, std::size_t i, const Sampling& sampling, do
                {"levels", Json::array()},
                {"explanations", view.explanations[i]}};
   for (const ReportLevel& level : run.levels) {
-    json["levels"].push_back(level_json(level, view.records[i], pixels));
+    json["levels"].push_back(level_json(level, pixels));
   }
   return json;
 }

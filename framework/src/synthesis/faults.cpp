@@ -2,10 +2,9 @@
 // The one list of faults: names, texts, strengths, ranges, and where they are kept.
 #include "synthesis/faults.hpp"
 
-#include <sstream>
-
 #include "config/scalar.hpp"
 #include "config/suggest.hpp"
+#include "text/numbers.hpp"
 #include "xgm/base/error.hpp"
 
 namespace xgm::synthesis {
@@ -54,18 +53,11 @@ std::vector<FaultKind> list() {
   };
 }
 
-std::string text_of(double value) {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text << value;
-  return text.str();
-}
-
 void check(const FaultKind& kind, const FaultValue& value, double number) {
   if (number >= value.minimum && number <= value.maximum) return;
-  throw Error("fault " + kind.name + ": the " + value.name + " is " + text_of(number) +
-              "; give a number from " + text_of(value.minimum) + " to " + text_of(value.maximum) +
-              (value.unit.empty() ? "" : " (" + value.unit + ")"));
+  throw Error("fault " + kind.name + ": the " + value.name + " is " + short_number(number) +
+              "; give a number from " + short_number(value.minimum) + " to " +
+              short_number(value.maximum) + (value.unit.empty() ? "" : " (" + value.unit + ")"));
 }
 
 const FaultKind& find(const std::string& name) {
@@ -110,7 +102,7 @@ void plant(Faults& faults, const std::string& fault) {
       const auto parsed = to_number<double>(given[i]);
       if (!parsed)
         throw Error("fault " + kind.name + ": the " + value.name + " is '" + given[i] +
-                    "'; give a number, as in " + kind.name + "=" + text_of(value.planted));
+                    "'; give a number, as in " + kind.name + "=" + short_number(value.planted));
       number = *parsed;
     }
     check(kind, value, number);

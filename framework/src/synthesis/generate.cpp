@@ -21,7 +21,7 @@ void check(const Options& options) {
   require(!options.size.empty() && !options.disparities.empty(),
           "a generated scene needs a size and disparities; give at least 1 x 1 and one");
   require(options.disparities.begin >= -kLargestDisparity &&
-              options.disparities.end <= kLargestDisparity,
+              options.disparities.end - 1 <= kLargestDisparity,
           "disparities of generated scenes end at a million px; give fewer");
   require(options.faults.vertical.b > -1,
           "a vertical shift with b <= -1 turns the image over; give b > -1");

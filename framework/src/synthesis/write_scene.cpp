@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <unistd.h>
 
-#include <charconv>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 
+#include "text/numbers.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/io/file.hpp"
 #include "xgm/io/image_io.hpp"
@@ -17,12 +17,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kRecord = "scene.json";
-
-/// The shortest text that gives the same number back, in any language.
-std::string text_of(double value) {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, value).ptr};
-}
 
 template <class Value>
 void write_levels(const std::string& file, const Image& image, double factor) {
@@ -53,15 +47,15 @@ cv::Mat1b benchmark_mask(const cv::Mat1b& non_occluded) {
 }
 
 std::string camera(const Calibration& c, double cx) {
-  return "[" + text_of(c.focal) + " 0 " + text_of(cx) + "; 0 " + text_of(c.focal) + " " +
-         text_of(c.cy) + "; 0 0 1]\n";
+  return "[" + short_number(c.focal) + " 0 " + short_number(cx) + "; 0 " + short_number(c.focal) +
+         " " + short_number(c.cy) + "; 0 0 1]\n";
 }
 
 std::string calibration_text(const GeneratedScene& scene) {
   const Calibration& c = scene.calibration;
   const cv::Size size = scene.truth.size();
   std::string text = "cam0=" + camera(c, c.cx) + "cam1=" + camera(c, c.cx + c.doffs) +
-                     "doffs=" + text_of(c.doffs) + "\nbaseline=" + text_of(c.baseline) +
+                     "doffs=" + short_number(c.doffs) + "\nbaseline=" + short_number(c.baseline) +
                      "\nwidth=" + std::to_string(size.width) +
                      "\nheight=" + std::to_string(size.height) + "\n";
   if (scene.disparities.begin >= 0) text += "ndisp=" + std::to_string(scene.disparities.end) + "\n";

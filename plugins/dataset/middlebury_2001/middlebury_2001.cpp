@@ -30,6 +30,8 @@ class Middlebury2001 final : public Dataset {
             "cones and teddy 4, conesH and teddyH 2, conesF and teddyF 1, others 8).")
         .unit("1/px")
         .range(0, 256);
+    set.rule({"divisor"}, "must be 0, or 1 or more",
+             [&p] { return p.divisor == 0 || p.divisor >= 1; });
   }
   explicit Middlebury2001(Parameters p) : p_(p) {}
 

@@ -110,6 +110,10 @@ class Middlebury2005 final : public Dataset {
           "dmin.txt: how far the views are cropped, without which disparities are no depths");
       return;
     }
+    if (size.width <= 0) {
+      scene.missing.push_back("view1 as PNG: the size of the image, where the cameras are centred");
+      return;
+    }
     const std::vector<dataset::Line> lines = dataset::read_lines(file);
     if (lines.size() != 1) throw Error(file + ": must hold one number");
     const double dmin = dataset::to_number(lines[0].text, lines[0].place, "dmin");

@@ -120,7 +120,7 @@ TEST_CASE("the scale may be that of each scene, and maps may be clipped to its r
   Bench bench;
   bench.rules = {.thresholds = {1}, .scale = 0, .clip = true, .region = {}};
   bench.plan.scenes[0].files.scale = 4;
-  bench.plan.scenes[1].files.disparities = Interval{0, 7};  // moves 6.5 to 6
+  bench.plan.scenes[1].files.disparities = Interval{0, 6};  // ndisp 6 moves 6.5 to 6
   const BenchResult result = bench.run();
   CHECK(judged(result.at(1, 0), result.rules)->average_error == doctest::Approx(4 * 1.5));
   CHECK(judged(result.at(1, 1), result.rules)->average_error == doctest::Approx(1));

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <filesystem>
+#include <set>
 
 #include "support/support.hpp"
 #include "support/temporary_folder.hpp"
@@ -61,6 +62,13 @@ TEST_CASE("sweeps combine, the last changing fastest") {
   CHECK(points[2].overrides[1].value == "5");
 }
 
+TEST_CASE("a parameter is swept once") {
+  CHECK(contains(error_of([] {
+                   sweep_points({{"m.scale", {"4"}}, {"m.scale", {"8"}}});
+                 }),
+                 "m.scale: is given twice"));
+}
+
 TEST_CASE("without sweeps there is one point that changes nothing") {
   const auto points = sweep_points({});
   REQUIRE(points.size() == 1);
@@ -90,6 +98,21 @@ TEST_CASE("names are fit for folders, and pipelines called alike are told apart"
   CHECK(pipelines[5].name == "_");
   CHECK(pipelines[6].name == "submit-2");  // beside the folder of uploads
   CHECK(pipelines[7].name.size() < 200);
+}
+
+TEST_CASE("scenes whose names differ never share a folder") {
+  BenchPlan plan{.output = "out", .pipelines = {{}}, .scenes = {}};
+  plan.pipelines[0].name = "sgm8";
+  for (const std::string& name : {std::string("a_b"), std::string("a b"), std::string("a/b"),
+                                  std::string(300, 'x'), std::string(301, 'x')}) {
+    BenchScene& scene = plan.scenes.emplace_back();
+    scene.set = "set";
+    scene.files.name = name;
+  }
+  std::set<std::string> folders;
+  for (std::size_t i = 0; i < plan.scenes.size(); ++i) folders.insert(cell_folder(plan, 0, i));
+  CHECK(folders.size() == plan.scenes.size());
+  CHECK(folders.contains("out/sgm8/set/a_b"));
 }
 
 TEST_CASE("scenes given one by one are in the set of the folder around them") {

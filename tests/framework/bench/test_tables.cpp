@@ -223,7 +223,7 @@ TEST_CASE("CSV has one line per average and cell, with as many fields as its hea
     return std::count(line.begin(), line.end(), ',');
   };
   for (std::size_t i = 0; i + 1 < lines.size(); ++i) CHECK(commas(lines[i]) == commas(lines[0]));
-  CHECK(lines[3].starts_with("scene,set,one,a,done,1,1,2,1e+08,25,0.9,1000,1,"));
+  CHECK(lines[3].starts_with("scene,set,one,a,done,1,1,2,100000000,25,0.9,1000,1,"));
   CHECK(lines[6].ends_with("\"broken, \"\"really\"\"\""));
 }
 

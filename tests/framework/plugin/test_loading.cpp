@@ -10,6 +10,7 @@
 
 #include "support/fake_stages.hpp"
 #include "xgm/pipeline.hpp"
+#include "xgm/plugin/handshake.hpp"
 
 namespace fs = std::filesystem;
 using namespace xgm;
@@ -63,7 +64,8 @@ bool contains(const std::string& text, const std::string& part) {
 TEST_CASE("every way in which a plugin file can be bad has a message of its own") {
   const Folder folder("messages");
   const std::map<std::string, std::string> expected{
-      {broken("wrong_abi"), "was built for plugin ABI 2, this is ABI 1"},
+      {broken("wrong_abi"), "was built for plugin ABI " + std::to_string(XGM_PLUGIN_ABI + 1) +
+                                ", this is ABI " + std::to_string(XGM_PLUGIN_ABI)},
       {broken("wrong_tag"), "was built with another compiler, this is "},
       {broken("no_symbol"), "has no symbol 'xgm_plugin'"},
       {broken("no_handshake"), "'xgm_plugin' gives no handshake"},

@@ -13,13 +13,6 @@ using namespace xgm::testing;
 
 namespace {
 
-struct Watcher : Observer {
-  void stage_end(const std::string& path, const StageStatistics&, const Artifact& result) override {
-    collector.stage_end(path, {}, result);
-  }
-  LevelCollector collector;
-};
-
 const std::string kMatch =
     "{type: left_right, matcher: {type: semi_global, cost: census, penalty: constant, "
     "aggregation: {type: sgm, directions: 4}}}";
@@ -28,9 +21,9 @@ std::vector<ReportLevel> levels_of(const std::string& matcher, const ImagePair& 
   const LoadedPipeline loaded =
       load_pipeline_text("matcher: " + matcher, "p", Registry::with_builtins());
   REQUIRE(loaded.pipeline);
-  Watcher watcher;
-  loaded.pipeline->run({pair, DisparityRange::uniform(pair.size(), {0, 16}), {}}, watcher);
-  return watcher.collector.levels();
+  LevelCollector collector;
+  loaded.pipeline->run({pair, DisparityRange::uniform(pair.size(), {0, 16}), {}}, collector);
+  return collector.levels();
 }
 
 }  // namespace
@@ -41,7 +34,8 @@ TEST_CASE("report: a pyramid's levels are collected coarsest first, of the base 
   REQUIRE(levels.size() == 3);
   CHECK(levels[0].scale == 4);
   CHECK(levels[0].map.size() == cv::Size(16, 10));
-  CHECK_FALSE(levels[0].range);
+  REQUIRE(levels[0].range);
+  CHECK(levels[0].range->hull() == Interval{0, 5});  // 0 to 15 at a quarter, rounded outwards
   CHECK(levels[1].map.size() == cv::Size(31, 19));
   CHECK(levels[2].stage_path == "matcher.s1");
   CHECK(levels[2].map.disparity(18, 40) == 5);  // the reverse view has -5
@@ -53,19 +47,16 @@ TEST_CASE("report: without a pyramid there are no levels") {
   CHECK(levels_of(kMatch, shifted_pair({40, 20}, 3, 3)).empty());
 }
 
-TEST_CASE("report: a level's ranges are shown as they are searched, within the run's disparities") {
+TEST_CASE("report: what a level searched is shown, pixel by pixel") {
   ReportScene scene = random_scene({8, 4}, 0, 9, 1);
-  scene.runs[0].record_json = R"({"disparities": {"first": 0, "last": 9}})";
   cv::Mat1i begin(2, 4, -3), end(2, 4, 4);
   end(1, 2) = -3;  // nothing to search
-  const DisparityMap map({4, 2});
   scene.runs[0].levels = {{"matcher.s4", 4, DisparityMap({2, 1}), std::nullopt},
-                          {"matcher.s2", 2, map, DisparityRange(begin, end)}};
+                          {"matcher.s2", 2, DisparityMap({4, 2}), DisparityRange(begin, end)}};
   const auto levels = page_data(report_html({"t", "", {scene}}))["scenes"][0]["runs"][0]["levels"];
   REQUIRE(levels.size() == 2);
-  // 0 to 9 halved outwards is 0 to 5, then 0 to 3.
-  CHECK(unpacked(levels[0]["last"])(0, 0) == 3);
-  CHECK(unpacked(levels[1]["first"])(0, 0) == 0);
+  CHECK_FALSE(levels[0].contains("first"));
+  CHECK(unpacked(levels[1]["first"])(0, 0) == -3);
   CHECK(unpacked(levels[1]["last"])(0, 0) == 3);
   CHECK(std::isnan(unpacked(levels[1]["last"])(1, 2)));
 }

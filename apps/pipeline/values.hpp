@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Numbers as the command line gives them: all of the text must be the value.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "xgm/data/disparity_range.hpp"
+
+namespace xgm::cli {
+
+/// A finite number and nothing else.
+std::optional<double> parse_number(std::string_view text);
+/// A whole number and nothing else; it may have a sign.
+std::optional<int> parse_whole(std::string_view text);
+
+/// "MIN:MAX", both included. Throws UsageError, which names the option.
+Interval parse_disparities(const std::string& text, const std::string& option = "--disparities");
+
+/// "0.5,1,2" of --thresholds: rising, 0 or more; the usual ones if it is empty. Throws UsageError.
+std::vector<double> parse_thresholds(const std::string& text);
+
+}  // namespace xgm::cli
