@@ -9,6 +9,9 @@
 namespace xgm::cli {
 namespace {
 
+/// What "a, b" was split into.
+std::string trimmed(std::string item) { return CLI::detail::trim(item); }
+
 void add_work(CLI::App& command, BenchOptions& options) {
   command
       .add_option("--pipelines", options.pipelines,
@@ -16,6 +19,7 @@ void add_work(CLI::App& command, BenchOptions& options) {
                   "shipped one")
       ->type_name("PIPELINE,...")
       ->delimiter(',')
+      ->transform(trimmed)
       ->required();
   command
       .add_option("--data", options.data,
@@ -30,7 +34,8 @@ void add_work(CLI::App& command, BenchOptions& options) {
       ->type_name("NAME|YAML|FILE");
   command.add_option("--scenes", options.scenes, "Only these scenes, separated by commas")
       ->type_name("NAME,...")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->transform(trimmed);
   add_set_option(command, options.assignments);
   command
       .add_option("--sweep", options.sweeps,
@@ -51,6 +56,7 @@ void add_rules(CLI::App& command, BenchOptions& options) {
                   "Errors above so many px are bad, separated by commas")
       ->type_name("PX,...")
       ->delimiter(',')
+      ->transform(trimmed)
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   command

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "console.hpp"
+#include "xgm/io/file.hpp"
 #include "xgm/lookup.hpp"
 
 namespace xgm::cli {
@@ -58,6 +59,21 @@ CLI::Option* add_dataset_option(CLI::App& command, std::string& dataset) {
                   "How the folder is laid out, if that is not recognised: name of a data set, YAML "
                   "of one, or a file of such YAML")
       ->type_name("NAME|YAML|FILE");
+}
+
+void make_folder(const std::string& folder, const std::string& option) {
+  std::error_code failure, ignored;
+  fs::create_directories(folder, failure);
+  if (!fs::is_directory(folder, ignored)) {
+    throw UsageError(option + folder + ": cannot be made: " + failure.message());
+  }
+  try {
+    const std::string trial = (fs::path(folder) / ".writable").string();
+    write_file(trial, "");
+    fs::remove(trial, ignored);
+  } catch (const Error& error) {
+    throw UsageError(option + error.message());
+  }
 }
 
 std::string pipelines_folder() {

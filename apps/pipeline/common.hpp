@@ -57,6 +57,10 @@ std::vector<Override> parse_overrides(const std::vector<std::string>& assignment
 /// --dataset, for commands that take folders of scenes.
 CLI::Option* add_dataset_option(CLI::App& command, std::string& dataset);
 
+/// Makes a folder for results, unless it is there, and tries to write to it: one that cannot be
+/// written to should not cost the user a run. Throws UsageError beginning with `option`.
+void make_folder(const std::string& folder, const std::string& option);
+
 /// The folder of the shipped pipelines.
 std::string pipelines_folder();
 

@@ -16,7 +16,6 @@
 #include "run_options.hpp"
 #include "run_results.hpp"
 #include "xgm/base/parallel.hpp"
-#include "xgm/io/file.hpp"
 #include "xgm/io/outputs.hpp"
 #include "xgm/memory.hpp"
 
@@ -31,21 +30,6 @@ class Stopwatch {
   using Clock = std::chrono::steady_clock;
   Clock::time_point start_ = Clock::now();
 };
-
-void make_folder(const std::string& folder) {
-  std::error_code failure;
-  std::filesystem::create_directories(folder, failure);
-  if (!std::filesystem::is_directory(folder)) {
-    throw UsageError("--output " + folder + ": cannot be made: " + failure.message());
-  }
-  try {  // a folder that cannot be written to should not cost the user a run
-    const std::string trial = (std::filesystem::path(folder) / ".writable").string();
-    write_file(trial, "");
-    std::filesystem::remove(trial, failure);
-  } catch (const Error& error) {
-    throw UsageError("--output " + error.message());
-  }
-}
 
 RunRecord begin_record(const RunOptions& options, const NamedPipeline& named,
                        const std::vector<Override>& overrides, const Plan& plan) {
@@ -131,7 +115,7 @@ int run(const RunOptions& options, const std::vector<std::string>& command_line)
   if (!named) return kUsage;
   const Plan plan = make_plan(options, named->pipeline, registry);
   const Extras extras{plan_depth(options, plan), parse_explain(options.explain)};
-  make_folder(options.output);
+  make_folder(options.output, "--output ");
   RunRecord record = begin_record(options, *named, overrides, plan);
   record.command_line = command_line;
   return run_checked(options, named->pipeline, plan, extras, std::move(record));

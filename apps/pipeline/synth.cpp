@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "common.hpp"
+#include "progress.hpp"
 #include "run_options.hpp"
 #include "xgm/base/parallel.hpp"
 #include "xgm/synthesis.hpp"
@@ -61,9 +62,7 @@ synthesis::Options parse(const SynthOptions& options) {
 void prepare_folder(const SynthOptions& options) {
   std::error_code failure;
   const fs::path folder(options.folder);
-  fs::create_directories(folder, failure);
-  if (!fs::is_directory(folder, failure))
-    throw UsageError(options.folder + ": cannot be made a folder: " + failure.message());
+  make_folder(options.folder, "");
   const bool empty = fs::is_empty(folder, failure);
   if (failure) throw UsageError(options.folder + ": cannot be read: " + failure.message());
   if (!empty && !options.force)
@@ -83,11 +82,14 @@ int synth(const SynthOptions& options) {
   synthesis::Options wanted = parse(options);
   prepare_folder(options);
   const ThreadLimit threads(options.threads);
+  Progress progress;
   for (int i = 0; i < options.count; ++i) {
     wanted.seed = options.seed + static_cast<std::uint64_t>(i);
     const fs::path folder = fs::path(options.folder) / scene_name(i + 1);
+    progress.begin(fmt::format("scene {} of {}", i + 1, options.count));
     const synthesis::GeneratedScene scene = synthesis::generate(wanted);
     synthesis::write_scene(folder.string(), scene, wanted);
+    progress.end();
     std::cout << folder.string() << ": seed " << wanted.seed << ", "
               << percent_hidden(scene.non_occluded) << " hidden in the right view" << std::endl;
   }
