@@ -141,19 +141,24 @@ void tell(const BenchProgress& at, Progress& progress) {
   }
 }
 
-void write_tables(const BenchResult& result) {
+/// Nothing is printed while the line of the progress stands on the terminal.
+void write_tables(const BenchResult& result, Progress& progress) {
   const std::filesystem::path folder(result.plan.output);
-  std::cout << bench_text(result) << "written:";
+  progress.end();
+  std::cout << bench_text(result) << std::flush;
+  progress.begin("writing the tables");
+  std::string written = "written:";
   const auto write = [&](const char* name, const std::string& text) {
     const std::string file = (folder / name).string();
     write_file(file, text);
-    std::cout << ' ' << file;
+    written += ' ' + file;
   };
   write("bench.md", bench_markdown(result));
   write("bench.csv", bench_csv(result));
   write("bench.json", bench_json(result));
   write("bench.html", bench_html(result));
-  std::cout << std::endl;
+  progress.end();
+  std::cout << written << std::endl;
 }
 
 void submit(const BenchResult& result, const BenchOptions& options) {
@@ -177,10 +182,8 @@ int run_planned(const BenchOptions& options, const BenchPlan& plan, const BenchR
       .tell = [&](const BenchProgress& at) { tell(at, progress); }};
   progress.begin("looking for what is done already");
   const BenchResult result = run_bench(plan, rules, hooks);
-  progress.begin("writing the tables");
-  write_tables(result);
+  write_tables(result, progress);
   if (!options.submit.empty()) submit(result, options);
-  progress.end();
   if (result.interrupted) {
     spdlog::warn("interrupted; the same command goes on from here");
     return kSignalled + Interruptible::signal();
@@ -191,13 +194,18 @@ int run_planned(const BenchOptions& options, const BenchPlan& plan, const BenchR
 int bench(const BenchOptions& options) {
   const BenchRules rules = rules_of(options);
   std::optional<BenchPlan> plan;
+  std::optional<FolderLock> lock;
   try {
     plan = make_plan(options);
-    if (plan) make_output_folder("--output ", options.output);
+    if (!plan) return kUsage;
+    make_output_folder("--output ", options.output);
+    lock.emplace(options.output);
+  } catch (const UsageError&) {
+    throw;
   } catch (const Error& error) {
     throw UsageError(error.message());
   }
-  return plan ? run_planned(options, *plan, rules) : kUsage;
+  return run_planned(options, *plan, rules);
 }
 
 }  // namespace

@@ -7,6 +7,9 @@
 namespace xgm::cli {
 namespace {
 
+/// What "a, b" was split into.
+std::string trimmed(std::string item) { return CLI::detail::trim(item); }
+
 void add_work(CLI::App& command, BenchOptions& options) {
   command
       .add_option("--pipelines", options.pipelines,
@@ -14,6 +17,7 @@ void add_work(CLI::App& command, BenchOptions& options) {
                   "shipped one")
       ->type_name("PIPELINE,...")
       ->delimiter(',')
+      ->transform(trimmed)
       ->required();
   command
       .add_option("--data", options.data,
@@ -28,7 +32,8 @@ void add_work(CLI::App& command, BenchOptions& options) {
       ->type_name("NAME|YAML|FILE");
   command.add_option("--scenes", options.scenes, "Only these scenes, separated by commas")
       ->type_name("NAME,...")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->transform(trimmed);
   add_set_option(command, options.assignments);
   command
       .add_option("--sweep", options.sweeps,

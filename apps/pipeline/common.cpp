@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "console.hpp"
+#include "xgm/io/file.hpp"
 #include "xgm/lookup.hpp"
 
 namespace xgm::cli {

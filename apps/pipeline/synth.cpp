@@ -9,6 +9,7 @@
 
 #include "common.hpp"
 #include "output_folder.hpp"
+#include "progress.hpp"
 #include "values.hpp"
 #include "xgm/base/parallel.hpp"
 #include "xgm/synthesis.hpp"
@@ -82,11 +83,14 @@ int synth(const SynthOptions& options) {
   synthesis::Options wanted = parse(options);
   prepare_folder(options);
   const ThreadLimit threads(options.threads);
+  Progress progress;
   for (int i = 0; i < options.count; ++i) {
     wanted.seed = options.seed + static_cast<std::uint64_t>(i);
     const fs::path folder = fs::path(options.folder) / scene_name(i + 1);
+    progress.begin(fmt::format("scene {} of {}", i + 1, options.count));
     const synthesis::GeneratedScene scene = synthesis::generate(wanted);
     synthesis::write_scene(folder.string(), scene, wanted);
+    progress.end();
     std::cout << folder.string() << ": seed " << wanted.seed << ", "
               << percent_hidden(scene.non_occluded) << " hidden in the right view" << std::endl;
   }

@@ -10,6 +10,7 @@
 #include "apps/program.hpp"
 #include "support/support.hpp"
 #include "support/temporary_folder.hpp"
+#include "xgm/bench_process.hpp"
 #include "xgm/io/file.hpp"
 #include "xgm/io/image_io.hpp"
 #include "xgm/io/outputs.hpp"
@@ -171,8 +172,45 @@ TEST_CASE("a scene whose name looks like an option is a scene") {
   CHECK(fs::exists(desk / "xgm_bench/a/trainingQ/-three/disparity.pfm"));
 }
 
+TEST_CASE("the page judges by the rules of this bench, not by those of the runs") {
+  const Desk desk;
+  REQUIRE(desk.both().exit_code == 0);
+  CHECK_FALSE(contains(read_file(desk / "xgm_bench/bench.html"), "total &gt; 7.0 px"));
+  REQUIRE(desk.both("--thresholds 7 --region all").exit_code == 0);
+  const std::string page = read_file(desk / "xgm_bench/bench.html");
+  CHECK(contains(page, "total &gt; 7.0 px"));
+  CHECK_FALSE(contains(page, "total &gt; 0.5 px"));
+}
+
+TEST_CASE("two benches do not work in one folder at once") {
+  const Desk desk;
+  fs::create_directories(desk / "xgm_bench");
+  {
+    const FolderLock other(desk / "xgm_bench");
+    check_usage(desk.both(), "another bench works in xgm_bench; wait for it or give another");
+  }
+  CHECK(desk.both().exit_code == 0);
+}
+
+TEST_CASE("no run outlives a bench that is killed") {
+  const Desk desk;
+  // The run is stopped before its bench is killed: it cannot have ended by itself.
+  const std::string script =
+      "timeout 60 sh -c '\"$@\" & bench=$!; "
+      "until run=$(cat /proc/$bench/task/$bench/children) && "
+      "grep -qs -e --scene /proc/$run/cmdline; do :; done; "
+      "kill -STOP $run; kill -KILL $bench; wait $bench; sleep 0.2; "
+      "! grep -qs \"State:.*[RSTD] \" /proc/$run/status' sh ";
+  const Outcome outcome = desk.bench(
+      "--pipelines a.yaml --data trainingQ --sweep matcher.matcher.penalty.p1=1,2,3,4,5,6,7,8,9",
+      script);
+  CHECK(outcome.exit_code == 0);
+}
+
 TEST_CASE("mistakes are told before any run") {
   const Desk desk;
+  check_usage(desk.both("--output a.yaml/b"), "--output a.yaml/b: cannot be made: Not a directory");
+  check_usage(desk.bench("--pipelines 'a.yaml, nobody' --data trainingQ"), "'nobody'");
   check_usage(desk.bench("--pipelines a.yaml,nobody --data trainingQ"), "'nobody'");
   check_usage(desk.bench("--pipelines a.yaml --data nowhere"), "nowhere: no such folder");
   check_usage(desk.both("--scenes one,tow"), "did you mean 'two'");

@@ -65,6 +65,14 @@ TEST_CASE("synth: a folder that is not empty needs --force, and keeps what is no
   CHECK(read_file(folder / "full/letter.txt") == "dear");
 }
 
+TEST_CASE("synth: a file in the way is told") {
+  const TemporaryFolder folder;
+  folder.write("letter.txt", "dear");
+  const Outcome refused = call(folder, "synth letter.txt" + kSmall);
+  CHECK(refused.exit_code == 2);
+  CHECK(contains(refused.errors, "letter.txt: cannot be made: Not a directory"));
+}
+
 TEST_CASE("synth: negative disparities are possible, and how to match them is said") {
   const TemporaryFolder folder;
   const Outcome made = call(folder, "synth out --size 40x30 --disparities -9:6");

@@ -21,8 +21,22 @@ class XGM_API Interruptible {
   static int signal();
 };
 
+/// While it lives, no other process has one for the same folder: it holds `folder`/.lock. Throws
+/// Error if another has; a file system without locks protects nothing.
+class XGM_API FolderLock {
+ public:
+  explicit FolderLock(const std::string& folder);
+  ~FolderLock();
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+ private:
+  int file_ = -1;
+};
+
 /// Runs this program with other arguments, its output going to `log`, until it ends or this process
-/// is told to. `failure` is the last error that it printed, or how it ended.
+/// is told to; it does not outlive this process. `failure` is the last error that it printed, or
+/// how it ended.
 XGM_API RunOutcome run_this_program(const std::vector<std::string>& arguments,
                                     const std::string& log);
 

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "bench/judge.hpp"
+#include "metrics/evaluation_json.hpp"
 #include "xgm/bench_tables.hpp"
 #include "xgm/io/image_io.hpp"
 #include "xgm/io/scene.hpp"
@@ -42,16 +44,31 @@ DisparityMap thinned(const DisparityMap& map, int step) {
   return few;
 }
 
+/// The run's record with the evaluation of the tables instead of its own, which followed other
+/// rules and perhaps another truth.
+std::string record(const std::string& folder, const BenchCell& cell, const BenchRules& rules) {
+  const std::string text = read_file((std::filesystem::path(folder) / "run.json").string());
+  auto json = nlohmann::ordered_json::parse(text);
+  json.erase("truth");
+  std::vector<RegionEvaluation> regions = cell.regions;
+  if (!rules.region.empty()) {
+    std::erase_if(regions, [&](const auto& region) { return region.region != rules.region; });
+  }
+  if (!regions.empty()) json["truth"] = to_json(regions);
+  return json.dump();
+}
+
 ReportRun show(const BenchResult& result, std::size_t pipeline, std::size_t scene, int step) {
   const std::string folder = cell_folder(result.plan, pipeline, scene);
   DisparityMap map = read_result(folder);
   read_statuses(folder, map);
   return {.name = result.plan.pipelines[pipeline].name,
-          .record_json = read_file((std::filesystem::path(folder) / "run.json").string()),
+          .record_json = record(folder, result.at(pipeline, scene), result.rules),
           .map = thinned(map, step)};
 }
 
-ReportScene show(const BenchResult& result, std::size_t scene) {
+/// What cannot be read any more is left out, and `missing` tells.
+ReportScene show(const BenchResult& result, std::size_t scene, std::string& missing) {
   const BenchScene& where = result.plan.scenes[scene];
   const Image left = read_pair(where.files.images).pair.base;
   const auto maps = static_cast<double>(result.cells.size());
@@ -67,8 +84,14 @@ ReportScene show(const BenchResult& result, std::size_t scene) {
     shown.truth.non_occluded = thinned(all.non_occluded, step);
   }
   for (std::size_t i = 0; i < result.plan.pipelines.size(); ++i) {
-    if (result.at(i, scene).state == CellState::done) {
+    if (result.at(i, scene).state != CellState::done) continue;
+    try {
       shown.runs.push_back(show(result, i, scene, step));
+    } catch (const std::exception& error) {
+      missing += "<p>" +
+                 html_text(result.plan.pipelines[i].name + " on " + shown.name +
+                           " is not shown: " + error.what()) +
+                 "</p>\n";
     }
   }
   return shown;
@@ -82,7 +105,9 @@ std::string bench_html(const BenchResult& result) {
                 .scenes = {},
                 .max_bytes = kMostBytes};
   for (std::size_t scene = 0; scene < result.plan.scenes.size(); ++scene) {
-    if (result.any_done(scene)) report.scenes.push_back(show(result, scene));
+    if (result.any_done(scene)) {
+      report.scenes.push_back(show(result, scene, report.tables_html));
+    }
   }
   return report_html(report);
 }

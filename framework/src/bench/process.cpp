@@ -2,7 +2,8 @@
 // Child processes: what a run does to memory, or dies of, stays its own.
 #include <fcntl.h>
 #include <signal.h>
-#include <spawn.h>
+#include <sys/file.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -26,26 +27,33 @@ struct sigaction former_actions[std::size(kSignals)];
 
 void note_signal(int number) { noted_signal = number; }
 
-class FileActions {
- public:
-  FileActions() { posix_spawn_file_actions_init(&actions_); }
-  ~FileActions() { posix_spawn_file_actions_destroy(&actions_); }
-  FileActions(const FileActions&) = delete;
-  FileActions& operator=(const FileActions&) = delete;
-
-  /// The child reads nothing, and writes all to `log`.
-  const posix_spawn_file_actions_t* redirect(const std::string& log) {
-    constexpr int kMode = 0644;
-    posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, log.c_str(),
-                                     O_WRONLY | O_CREAT | O_TRUNC, kMode);
-    posix_spawn_file_actions_adddup2(&actions_, STDOUT_FILENO, STDERR_FILENO);
-    return &actions_;
+/// Becomes this program, run with other arguments; reads nothing, and writes all to `log`. Only
+/// what is safe after a fork in a program of several threads.
+[[noreturn]] void become(char* const* words, const char* log, pid_t parent,
+                         const sigset_t& signals) {
+  constexpr int kMode = 0644;
+  constexpr int kNotFound = 127;
+  for (const int number : kSignals) {
+    struct sigaction action {};
+    ::sigaction(number, nullptr, &action);
+    if (action.sa_handler == note_signal) ::signal(number, SIG_DFL);
   }
-
- private:
-  posix_spawn_file_actions_t actions_{};
-};
+  ::sigprocmask(SIG_SETMASK, &signals, nullptr);
+  // Also when this process is killed: a run that goes on alone would disturb the next bench.
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (::getppid() != parent) ::_exit(kNotFound);
+  const int input = ::open("/dev/null", O_RDONLY);
+  const int output = ::open(log, O_WRONLY | O_CREAT | O_TRUNC, kMode);
+  if (::dup2(input, STDIN_FILENO) < 0 || ::dup2(output, STDOUT_FILENO) < 0 ||
+      ::dup2(output, STDERR_FILENO) < 0) {
+    ::_exit(kNotFound);
+  }
+  for (const int file : {input, output}) {
+    if (file > STDERR_FILENO) ::close(file);
+  }
+  ::execve("/proc/self/exe", words, environ);
+  ::_exit(kNotFound);
+}
 
 pid_t spawn(const std::vector<std::string>& arguments, const std::string& log) {
   std::vector<std::string> words{"pipeline"};
@@ -53,11 +61,16 @@ pid_t spawn(const std::vector<std::string>& arguments, const std::string& log) {
   std::vector<char*> pointers;
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
-  FileActions actions;
-  pid_t child = 0;
-  const int failure = ::posix_spawn(&child, "/proc/self/exe", actions.redirect(log), nullptr,
-                                    pointers.data(), environ);
-  if (failure != 0) {
+  const pid_t parent = ::getpid();
+  // A signal that reaches the child before it is itself must not be noted there, and lost.
+  sigset_t all, former;
+  sigfillset(&all);
+  ::pthread_sigmask(SIG_SETMASK, &all, &former);
+  const pid_t child = ::fork();
+  if (child == 0) become(pointers.data(), log.c_str(), parent, former);
+  const int failure = errno;
+  ::pthread_sigmask(SIG_SETMASK, &former, nullptr);
+  if (child < 0) {
     throw Error(std::string("the program cannot be started again: ") + std::strerror(failure));
   }
   return child;
@@ -133,6 +146,19 @@ Interruptible::~Interruptible() {
 }
 
 int Interruptible::signal() { return noted_signal; }
+
+FolderLock::FolderLock(const std::string& folder) {
+  constexpr int kMode = 0644;
+  const std::string file = folder + "/.lock";
+  file_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, kMode);
+  if (file_ < 0) throw Error(file + ": cannot be opened: " + std::strerror(errno));
+  if (::flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+  ::close(file_);
+  throw Error("another bench works in " + folder + "; wait for it or give another --output");
+}
+
+// The file stays: who removed it could remove one that another process has just locked.
+FolderLock::~FolderLock() { ::close(file_); }
 
 RunOutcome run_this_program(const std::vector<std::string>& arguments, const std::string& log) {
   if (Interruptible::signal() != 0) return {.interrupted = true, .failure = {}};

@@ -53,8 +53,7 @@ class Bench {
       return;
     }
     if (outcome.failure.empty()) {
-      mark_done(folder(i), identity(i));
-      judge(i);
+      judge(i, [&] { mark_done(folder(i), identity(i)); });
     } else {
       result_.cells[i] = {.state = CellState::failed, .failure = outcome.failure};
     }
@@ -63,8 +62,10 @@ class Bench {
     tell(i, &result_.cells[i]);
   }
 
-  void judge(std::size_t i) {
+  void judge(
+      std::size_t i, const std::function<void()>& before = [] {}) {
     try {
+      before();
       result_.cells[i] = judge_cell(folder(i), result_.plan.scenes[scene(i)], result_.rules);
     } catch (const std::exception& error) {
       result_.cells[i] = {.state = CellState::failed, .failure = error.what()};

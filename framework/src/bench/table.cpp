@@ -167,10 +167,19 @@ std::string count(const BenchAverage& average) {
 
 std::string average_title(const BenchResult& result, const std::string& set,
                           const std::vector<std::size_t>& scenes) {
-  const auto weight = [&](std::size_t i) { return result.plan.scenes[i].files.weight; };
-  const bool even = std::all_of(scenes.begin(), scenes.end(),
-                                [&](std::size_t i) { return weight(i) == weight(scenes.front()); });
-  return set + ": " + (even ? "average" : "weighted average") + " of " +
+  std::vector<double> weights;  // of the scenes that any pipeline has done
+  for (const std::size_t scene : scenes) {
+    bool done = false;
+    for (std::size_t i = 0; i < result.plan.pipelines.size(); ++i) {
+      done = done || result.at(i, scene).state == CellState::done;
+    }
+    if (done) weights.push_back(result.plan.scenes[scene].files.weight);
+  }
+  const bool even =
+      std::adjacent_find(weights.begin(), weights.end(), std::not_equal_to<>()) == weights.end();
+  const std::string part =
+      weights.size() < scenes.size() ? std::to_string(weights.size()) + " of " : "";
+  return set + ": " + (even ? "average" : "weighted average") + " of " + part +
          std::to_string(scenes.size()) + (scenes.size() == 1 ? " scene" : " scenes");
 }
 

@@ -45,6 +45,7 @@ struct Bench {
     runs.push_back(pipeline.name + " " + scene.files.name);
     if (runs.size() == interrupt_at) return {.interrupted = true, .failure = {}};
     if (scene.files.name == broken) return {.interrupted = false, .failure = "is broken"};
+    if (scene.files.name == silent) return {};
     cv::Mat1f map(2, 4, pipeline.name == "good" ? kTruth : kTruth + 1.5F);
     map(0, 0) = std::numeric_limits<float>::quiet_NaN();
     write_pfm((std::filesystem::path(where) / "disparity.pfm").string(), map);
@@ -69,7 +70,7 @@ struct Bench {
   BenchRules rules;
   std::vector<std::string> runs;
   std::size_t interrupt_at = 0;
-  std::string broken;
+  std::string broken, silent;
 };
 
 const std::vector<std::string> kAll{"good one", "bad one", "good two", "bad two"};
@@ -176,6 +177,16 @@ TEST_CASE("what has changed is run again, and nothing else") {
     bench.run();
     CHECK(bench.runs == std::vector<std::string>{"bad one"});
   }
+}
+
+TEST_CASE("a run that left no record is a failed cell, and the others go on") {
+  Bench bench;
+  bench.silent = "one";
+  const BenchResult result = bench.run();
+  CHECK(bench.runs == kAll);
+  CHECK(result.at(0, 0).state == CellState::failed);
+  CHECK(contains(result.at(0, 0).failure, "run.json"));
+  CHECK(result.at(1, 1).state == CellState::done);
 }
 
 TEST_CASE("an interrupted bench keeps what is done, and goes on from there") {

@@ -136,6 +136,7 @@ TEST_CASE("pipelines that all lack the same scene remain comparable") {
   BenchResult result = two_by_two();
   result.cells[2] = result.cells[3] = failed("im1.png: is broken");
   const Table table = averages(result);
+  CHECK(table.title == "set: average of 1 of 2 scenes");
   CHECK(table.rows.at(0) == "a 1 of 2 1.00* 10.00* 20.00 30.00 2.00 100* 25.0");
   CHECK(table.rows.at(1) == "b 1 of 2 2.00 12.00 16.00* 28.00* 1.00* 100* 50.0*");
 }
@@ -253,10 +254,21 @@ TEST_CASE("terminal tables align, dashes included") {
   result.cells[2] = result.cells[3] = failed("broken");
   result.cells[1].regions.clear();
   const std::vector<std::string> lines = lines_of(bench_text(result));
-  const std::size_t end = lines[1].size();  // of the head
-  CHECK(lines[1].ends_with("MDE/s"));
-  CHECK(lines[2].size() == end);
-  CHECK(lines[3].size() == end + 2 * 4);  // four dashes of three bytes
+  const std::size_t end = lines[2].size();  // of the head
+  CHECK(lines[2].ends_with("MDE/s"));
+  CHECK(lines[3].size() == end);
+  CHECK(lines[4].size() == end + 2 * 4);  // four dashes of three bytes
+}
+
+TEST_CASE("a line above the terminal's tables says what they are of") {
+  BenchResult result = two_by_two();
+  result.plan.threads = 2;
+  CHECK(lines_of(bench_text(result)).front() ==
+        "shares in %, errors in px of the maps; judged: non-occluded pixels; 2 threads");
+  result.rules = {.thresholds = {1}, .scale = 4, .clip = true, .region = "all"};
+  CHECK(lines_of(bench_text(result)).front() ==
+        "shares in %, errors in px of the maps times 4; judged: all pixels, clipped to the search "
+        "range; 2 threads");
 }
 
 TEST_CASE("a figure that rounds to zero has no sign") {
