@@ -28,7 +28,8 @@ build: configure
 
 demo: build $(aloe)/aloeGT.png
 	@$(pipeline) run tmgm16_refined.yaml --left $(aloe)/aloeL.jpg --right $(aloe)/aloeR.jpg \
-	  --disparities 0:224 --truth $(aloe)/aloeGT.png --output $(demo)
+	  --disparities 0:224 --truth $(aloe)/aloeGT.png --truth-divisor 1 --report \
+	  --output $(demo)
 
 # A photographed pair with measured disparities (Middlebury 2006), as Debian ships it.
 $(aloe)/aloeGT.png:

@@ -7,23 +7,31 @@
 
 #include "common.hpp"
 #include "console.hpp"
+#include "xgm/lookup.hpp"
 #include "xgm/plugin/version.hpp"
 
 namespace {
 
+using namespace xgm;
 using namespace xgm::cli;
 
-bool is_unknown(const CLI::App& app, const char* subcommand) {
-  const auto has_the_name = [&](const CLI::App* known) { return known->check_name(subcommand); };
-  return subcommand[0] != '-' && app.get_subcommands(has_the_name).empty();
-}
+/// A misspelt name is told before the parser complains of what follows from it.
+void require_known_names(const CLI::App& app, const std::vector<std::string>& arguments) {
+  if (arguments.empty() || arguments.front().starts_with('-')) return;
+  std::vector<std::string> subcommands;
+  for (const CLI::App* known : app.get_subcommands({})) subcommands.push_back(known->get_name());
+  require_name("subcommand", arguments.front(), subcommands);
 
-std::string names_of_subcommands(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CLI::App* known : app.get_subcommands({})) names.push_back(known->get_name());
-  const std::string last = names.back();
-  names.pop_back();
-  return fmt::format("{} or {}", fmt::join(names, ", "), last);
+  std::vector<std::string> options;
+  for (const CLI::Option* known : app.get_subcommand(arguments.front())->get_options()) {
+    for (const std::string& name : known->get_lnames()) options.push_back("--" + name);
+  }
+  for (const std::string& argument : arguments) {
+    if (argument == "--") return;
+    if (argument.starts_with("--")) {
+      require_name("option", argument.substr(0, argument.find('=')), options);
+    }
+  }
 }
 
 /// What was asked for has to arrive: a full disk behind stdout is a failure.
@@ -42,9 +50,7 @@ int main(int argc, char** argv) {
   CLI::App app("Dense stereo matching by pipelines of plugins.", "pipeline");
   app.set_version_flag("--version", "xgm " XGM_VERSION);
   app.require_subcommand(1);
-  app.footer(
-      "Exit codes: 0 done; 1 the run failed or its map is empty; 2 usage or configuration (run: "
-      "no image has been opened).");
+  app.footer("Exit codes: 0 done; 1 the run failed or its map is empty; 2 usage or configuration.");
   Invocation call{{argv + 1, argv + argc}};
   add_run(app, call);
   add_eval(app, call);
@@ -57,8 +63,10 @@ int main(int argc, char** argv) {
   add_scenes(app, call);
   add_synth(app, call);
   add_explain(app, call);
-  if (argc > 1 && is_unknown(app, argv[1])) {
-    spdlog::error("there is no subcommand '{}'; choose {}", argv[1], names_of_subcommands(app));
+  try {
+    require_known_names(app, call.arguments);
+  } catch (const Error& error) {
+    spdlog::error(error.what());
     return kUsage;
   }
   try {

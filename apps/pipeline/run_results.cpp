@@ -16,7 +16,9 @@
 namespace xgm::cli {
 namespace {
 
-constexpr double kFewDisparities = 0.05;
+// Of pixels with data, about a third of a scene is hidden or hard at most; swapped images, two that
+// do not belong together and a wrong range leave less than half.
+constexpr double kFewMatched = 0.5;
 // Within 1 px of an end of the range lie no disparities of a scene that fits into it, and a tenth
 // or more of them if it does not, or if the images are swapped.
 constexpr double kManyAtEnd = 0.05;
@@ -27,6 +29,15 @@ std::string in(const std::string& folder, const char* name) {
 }
 
 std::string percent(double share) { return fmt::format("{:.2f} %", 100 * share); }
+
+double share_of(const RunRecord& record, Status status) {
+  return record.status_shares[static_cast<std::size_t>(status)];
+}
+
+/// Of the pixels with data; filled ones are guesses and tell nothing of the match.
+double matched_share(const RunRecord& record) {
+  return share_of(record, Status::valid) / (1 - share_of(record, Status::masked));
+}
 
 /// Of the matched pixels, the share within 1 px of `end`.
 double share_at(const DisparityMap& map, int end) {
@@ -75,7 +86,13 @@ void write_explanations(const std::string& folder, const std::string& explanatio
 
 void print_summary(const std::string& folder, const RunRecord& record, bool has_report) {
   std::cout << "map:     " << record.size.width << " x " << record.size.height << ", "
-            << percent(record.valid_share) << " of the pixels have a disparity\n";
+            << percent(record.valid_share) << " of the pixels have a disparity";
+  const double filled = share_of(record, Status::filled);
+  if (filled > 0) {
+    std::cout << " (" << percent(share_of(record, Status::valid)) << " matched, " << percent(filled)
+              << " filled)";
+  }
+  std::cout << '\n';
   for (const auto& [region, truth] : record.truth) {
     std::cout << "truth:   " << region << ":";
     for (const ThresholdScore& score : truth.at) {
@@ -104,11 +121,11 @@ int judge(const DisparityMap& map, const RunRecord& record) {
         record.disparities.begin, record.disparities.end - 1);
     return kFailed;
   }
-  if (record.valid_share < kFewDisparities) {
+  if (matched_share(record) < kFewMatched) {
     spdlog::warn(
-        "the map is nearly empty: only {} of the pixels have a disparity; see status.png "
-        "for the reasons, and check the order of the images and the disparity range",
-        percent(record.valid_share));
+        "only {} of the pixels were matched; see status.png for the reasons, and check that the "
+        "images belong together, their order and the disparity range",
+        percent(matched_share(record)));
   }
   warn_of_ends(map, record.disparities);
   return kOk;

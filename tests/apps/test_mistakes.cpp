@@ -125,7 +125,14 @@ TEST_CASE("an unknown subcommand is named") {
   const TemporaryFolder folder;
   const Outcome outcome = call(folder, "rnu sgm8");
   CHECK(outcome.exit_code == 2);
-  CHECK(contains(outcome.errors, "there is no subcommand 'rnu'; choose run, "));
+  CHECK(contains(outcome.errors, "there is no subcommand 'rnu'; did you mean 'run'?"));
+}
+
+TEST_CASE("an unknown option is named, and not what follows from it") {
+  const TemporaryFolder folder;
+  const Outcome outcome = call(folder, "bench --piplines sgm8");
+  CHECK(outcome.exit_code == 2);
+  CHECK(contains(outcome.errors, "there is no option '--piplines'; did you mean '--pipelines'?"));
 }
 
 TEST_CASE("output that cannot be written to stdout is a failure") {

@@ -22,6 +22,11 @@ XGM_API std::string find_pipeline(const std::string& name, const std::string& fo
 XGM_API std::vector<const PluginInfo*> find_plugins(const std::string& name,
                                                     const Registry& registry);
 
+/// Throws Error unless `name` is one of `names`; says what there is none of: "there is no option
+/// '--swep'; did you mean '--sweep'?"
+XGM_API void require_name(const std::string& what, const std::string& name,
+                          const std::vector<std::string>& names);
+
 /// Throws Error unless there is such a kind of stage.
 XGM_API void require_kind(const std::string& kind);
 

@@ -73,11 +73,16 @@ std::vector<const PluginInfo*> find_plugins(const std::string& name, const Regis
   throw Error("there is no plugin '" + name + "'; " + suggest(name, names, "plugins"));
 }
 
+void require_name(const std::string& what, const std::string& name,
+                  const std::vector<std::string>& names) {
+  if (std::find(names.begin(), names.end(), name) != names.end()) return;
+  throw Error("there is no " + what + " '" + name + "'; " + suggest(name, names, what + "s"));
+}
+
 void require_kind(const std::string& kind) {
   std::vector<std::string> names;
   for (const auto& [name, text] : Registry::kinds()) names.push_back(name);
-  if (std::find(names.begin(), names.end(), kind) != names.end()) return;
-  throw Error("there is no kind '" + kind + "'; " + suggest(kind, names, "kinds"));
+  require_name("kind", kind, names);
 }
 
 }  // namespace xgm
