@@ -197,7 +197,7 @@ TEST_CASE("no run outlives a bench that is killed") {
   // The run is stopped before its bench is killed: it cannot have ended by itself.
   const std::string script =
       "timeout 60 sh -c '\"$@\" & bench=$!; "
-      "until run=$(cat /proc/$bench/task/$bench/children) && "
+      "until read -r run rest < /proc/$bench/task/$bench/children; "
       "grep -qs -e --scene /proc/$run/cmdline; do :; done; "
       "kill -STOP $run; kill -KILL $bench; wait $bench; sleep 0.2; "
       "! grep -qs \"State:.*[RSTD] \" /proc/$run/status' sh ";
