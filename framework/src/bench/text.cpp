@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "bench/table.hpp"
+#include "text/numbers.hpp"
 
 namespace xgm {
 namespace {
