@@ -209,7 +209,8 @@ TEST_CASE("no run outlives a bench that is killed") {
 
 TEST_CASE("mistakes are told before any run") {
   const Desk desk;
-  check_usage(desk.both("--output a.yaml/b"), "--output a.yaml/b: cannot be made: Not a directory");
+  check_usage(desk.both("--output a.yaml/b"),
+              "--output a.yaml/b: cannot be made a folder: Not a directory");
   check_usage(desk.bench("--pipelines 'a.yaml, nobody' --data trainingQ"), "'nobody'");
   check_usage(desk.bench("--pipelines a.yaml,nobody --data trainingQ"), "'nobody'");
   check_usage(desk.bench("--pipelines a.yaml --data nowhere"), "nowhere: no such folder");

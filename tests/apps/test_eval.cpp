@@ -219,7 +219,7 @@ TEST_CASE("eval: mistakes are one line each and exit 2") {
   check_usage(desk.eval("map.pfm --truth truth.pfm --frobnicate"), "frobnicate");
   check_one_line(desk.eval("map.pfm"), "add --truth FILE or a SCENE_DIR");
   check_one_line(desk.eval("bare --truth truth.pfm"), "has no disparity.pfm");
-  check_one_line(desk.eval("map.pfm bare"), "bare");
+  check_usage(desk.eval("map.pfm bare"), "bare: is no scene");
   check_one_line(desk.eval("small.pfm --truth truth.pfm"), "9 x 1");
   check_one_line(desk.eval("small.pfm scene"), "9 x 1");
   check_one_line(desk.eval("map.pfm --truth truth.pfm --confidence small.pfm"), "confidence is 3");

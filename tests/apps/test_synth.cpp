@@ -70,7 +70,7 @@ TEST_CASE("synth: a file in the way is told") {
   folder.write("letter.txt", "dear");
   const Outcome refused = call(folder, "synth letter.txt" + kSmall);
   CHECK(refused.exit_code == 2);
-  CHECK(contains(refused.errors, "letter.txt: cannot be made: Not a directory"));
+  CHECK(contains(refused.errors, "letter.txt: cannot be made a folder: Not a directory"));
 }
 
 TEST_CASE("synth: negative disparities are possible, and how to match them is said") {
