@@ -2,11 +2,13 @@
 // The command line: every subcommand has a file of its own.
 #include <spdlog/spdlog.h>
 
+#include <cstdlib>
 #include <iostream>
 #include <opencv2/core/utils/logger.hpp>
 
 #include "common.hpp"
 #include "console.hpp"
+#include "xgm/base/simd.hpp"
 #include "xgm/lookup.hpp"
 #include "xgm/plugin/version.hpp"
 
@@ -64,6 +66,7 @@ int main(int argc, char** argv) {
   add_synth(app, call);
   add_explain(app, call);
   try {
+    if (const char* target = std::getenv("XGM_SIMD")) use_simd(target);
     require_known_names(app, call.arguments);
   } catch (const Error& error) {
     spdlog::error(error.what());

@@ -3,15 +3,10 @@
 
 #include <algorithm>
 
+#include "xgm/base/parallel.hpp"
+
 namespace xgm {
 namespace {
-
-// Smallest interval that holds both; an empty one adds nothing.
-Interval unite(Interval a, Interval b) {
-  if (a.empty()) return b;
-  if (b.empty()) return a;
-  return {std::min(a.begin, b.begin), std::max(a.end, b.end)};
-}
 
 // Row of the reverse range: base pixel x with range [b, e) reaches the match pixels x' = x - d, d
 // in [b, e), with reverse disparity -d. Extends each x' it can reach.
@@ -34,6 +29,12 @@ Interval intersect(Interval a, Interval b) {
   return both.empty() ? Interval{} : both;
 }
 
+Interval unite(Interval a, Interval b) {
+  if (a.empty()) return b;
+  if (b.empty()) return a;
+  return {std::min(a.begin, b.begin), std::max(a.end, b.end)};
+}
+
 DisparityRange DisparityRange::uniform(cv::Size size, Interval interval) {
   return DisparityRange(size, interval.empty() ? Interval{} : interval);
 }
@@ -49,7 +50,7 @@ DisparityRange::DisparityRange(cv::Mat1i begin, cv::Mat1i end)
 DisparityRange DisparityRange::reversed() const {
   if (is_uniform()) return uniform(size_, {-hull_.end + 1, -hull_.begin + 1});
   cv::Mat1i begin(size_, 0), end(size_, 0);
-  for (int y = 0; y < size_.height; ++y) reverse_row(*this, y, begin[y], end[y]);
+  parallel_for(0, size_.height, [&](int y) { reverse_row(*this, y, begin[y], end[y]); });
   return {begin, end};
 }
 

@@ -3,32 +3,51 @@
 
 #include <algorithm>
 
+#include "xgm/base/parallel.hpp"
+
 namespace xgm {
 
 VolumeShape::VolumeShape(const DisparityRange& range, const cv::Mat1b& valid)
     : size_(range.size()) {
   CV_Assert(valid.empty() || valid.size() == size_);
-  const auto pixels =
-      static_cast<std::size_t>(size_.width) * static_cast<std::size_t>(size_.height);
-  begin_.reserve(pixels);
-  offset_.reserve(pixels + 1);
-  offset_.push_back(0);
-  for (int y = 0; y < height(); ++y) {
+  const auto rows = static_cast<std::size_t>(height());
+  const std::size_t pixels = rows * static_cast<std::size_t>(width());
+  begin_.resize(pixels);
+  count_.resize(pixels);
+  start_.resize(pixels);
+  row_.assign(rows + 1, 0);
+  std::vector<Interval> hulls(rows);
+  std::vector<int> max_counts(rows);
+  parallel_for(0, height(), [&](int y) {
+    Interval hull;
+    int max_count = 0;
+    std::uint32_t granules = 0;
     for (int x = 0; x < width(); ++x) {
       const bool used = valid.empty() || valid(y, x) != 0;
       const Interval interval = used ? range.at(y, x) : Interval{};
-      begin_.push_back(interval.begin);
-      offset_.push_back(offset_.back() + interval.size());
-      max_count_ = std::max(max_count_, interval.size());
-      if (interval.empty()) continue;
-      if (hull_.empty()) hull_ = interval;
-      hull_ = {std::min(hull_.begin, interval.begin), std::max(hull_.end, interval.end)};
+      const std::size_t i = index(y, x);
+      begin_[i] = interval.begin;
+      count_[i] = interval.size();
+      start_[i] = granules;
+      granules += static_cast<std::uint32_t>(rounded_up(interval.size()) / kGranule);
+      max_count = std::max(max_count, interval.size());
+      hull = unite(hull, interval);
     }
+    const auto row = static_cast<std::size_t>(y);
+    row_[row + 1] = std::int64_t{granules} * kGranule;
+    hulls[row] = hull;
+    max_counts[row] = max_count;
+  });
+  for (std::size_t y = 0; y < rows; ++y) {
+    row_[y + 1] += row_[y];
+    hull_ = unite(hull_, hulls[y]);
+    max_count_ = std::max(max_count_, max_counts[y]);
   }
 }
 
 std::size_t VolumeShape::bytes() const {
-  return begin_.size() * sizeof(begin_[0]) + offset_.size() * sizeof(offset_[0]);
+  return begin_.size() * (sizeof(begin_[0]) + sizeof(count_[0]) + sizeof(start_[0])) +
+         row_.size() * sizeof(row_[0]);
 }
 
 }  // namespace xgm

@@ -23,6 +23,9 @@ struct Interval {
 /// Both intervals at once; empty (as {0, 0}) if they do not meet.
 XGM_API Interval intersect(Interval a, Interval b);
 
+/// The smallest interval that holds both; an empty one adds nothing.
+XGM_API Interval unite(Interval a, Interval b);
+
 /// The disparities to search in an image of size(). Disparity d of a base pixel: x_match = x_base -
 /// d.
 class XGM_API DisparityRange {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "xgm/base/cells.hpp"
 #include "xgm/base/export.hpp"
 #include "xgm/data/disparity_range.hpp"
 
@@ -14,9 +15,13 @@ namespace xgm {
 
 /// Where each pixel's disparities lie in a volume. Immutable; shared by all volumes of one match.
 /// The cells of pixel (y, x) are [offset(y, x), offset(y, x) + count(y, x)), the first one
-/// belonging to disparity begin(y, x); pixels follow in row-major order.
+/// belonging to disparity begin(y, x); pixels follow in row-major order. Each pixel's slice takes
+/// up room(y, x) cells: kernels that handle kGranule cells at a time never touch another slice.
+/// What the cells behind the count hold has no meaning.
 class XGM_API VolumeShape {
  public:
+  static constexpr int kGranule = 16;
+
   /// Pixels for which `valid` is given and zero have no cells.
   explicit VolumeShape(const DisparityRange& range, const cv::Mat1b& valid = {});
 
@@ -26,12 +31,15 @@ class XGM_API VolumeShape {
 
   int begin(int y, int x) const { return begin_[index(y, x)]; }
   int end(int y, int x) const { return begin(y, x) + count(y, x); }
-  int count(int y, int x) const {
-    const std::size_t i = index(y, x);
-    return static_cast<int>(offset_[i + 1] - offset_[i]);
+  int count(int y, int x) const { return count_[index(y, x)]; }
+  /// count(y, x) rounded up to a multiple of kGranule.
+  int room(int y, int x) const { return rounded_up(count(y, x)); }
+  /// A multiple of kGranule.
+  std::int64_t offset(int y, int x) const {
+    return row_[static_cast<std::size_t>(y)] + std::int64_t{start_[index(y, x)]} * kGranule;
   }
-  std::int64_t offset(int y, int x) const { return offset_[index(y, x)]; }
-  std::int64_t cells() const { return offset_.back(); }
+  /// Sum of room(y, x): what a volume allocates.
+  std::int64_t cells() const { return row_.back(); }
   /// Largest number of disparities that a pixel has.
   int max_count() const { return max_count_; }
   /// Smallest interval that holds every pixel's.
@@ -45,15 +53,19 @@ class XGM_API VolumeShape {
   }
 
   cv::Size size_;
-  std::vector<std::int32_t> begin_;   // per pixel
-  std::vector<std::int64_t> offset_;  // per pixel, plus one
+  static int rounded_up(int count) { return (count + kGranule - 1) / kGranule * kGranule; }
+
+  std::vector<std::int32_t> begin_, count_;  // per pixel
+  std::vector<std::uint32_t> start_;         // per pixel: slice, in granules from its row's first
+  std::vector<std::int64_t> row_;            // per row, plus one: first cell
   int max_count_ = 0;
   Interval hull_;
 };
 
 using VolumeShapePtr = std::shared_ptr<const VolumeShape>;
 
-/// One number per pixel and disparity. Cells are not initialised. Moves, never copies.
+/// One number per pixel and disparity. Cells are not initialised; the first one is aligned to
+/// kCellAlignment bytes. Moves, never copies.
 template <class Cell>
 class Volume {
  public:
@@ -63,20 +75,20 @@ class Volume {
 
   explicit Volume(VolumeShapePtr shape)
       : shape_(std::move(shape)),
-        cells_(std::make_unique_for_overwrite<Cell[]>(static_cast<std::size_t>(shape_->cells()))) {}
+        cells_(new_cells(static_cast<std::size_t>(shape_->cells()) * sizeof(Cell))) {}
 
   const VolumeShape& shape() const { return *shape_; }
   const VolumeShapePtr& shape_ptr() const { return shape_; }
   /// First cell of a pixel; shape().count(y, x) cells follow.
-  Cell* at(int y, int x) { return cells_.get() + shape_->offset(y, x); }
-  const Cell* at(int y, int x) const { return cells_.get() + shape_->offset(y, x); }
-  Cell* data() { return cells_.get(); }
-  const Cell* data() const { return cells_.get(); }
+  Cell* at(int y, int x) { return data() + shape_->offset(y, x); }
+  const Cell* at(int y, int x) const { return data() + shape_->offset(y, x); }
+  Cell* data() { return static_cast<Cell*>(cells_.get()); }
+  const Cell* data() const { return static_cast<const Cell*>(cells_.get()); }
   std::size_t bytes() const { return static_cast<std::size_t>(shape_->cells()) * sizeof(Cell); }
 
  private:
   VolumeShapePtr shape_;
-  std::unique_ptr<Cell[]> cells_;
+  Cells cells_;
 };
 
 /// Matching costs C(p, d), 8 bit. Every cell is at most max_cost, or kNoMatch (255).
