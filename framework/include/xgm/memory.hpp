@@ -11,6 +11,12 @@ namespace xgm {
 /// Most memory that this process ever had in use, bytes.
 XGM_API std::uint64_t peak_memory();
 
+/// Memory that this process has in use now, bytes; 0 if the system does not say.
+XGM_API std::uint64_t resident_memory();
+
+/// The part of it that is read from files: program and libraries.
+XGM_API std::uint64_t program_memory();
+
 /// Bytes that can still be taken without swapping, within the limit of the control group that the
 /// process runs in. UINT64_MAX if the system does not say.
 XGM_API std::uint64_t available_memory();

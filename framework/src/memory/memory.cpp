@@ -61,6 +61,14 @@ std::uint64_t peak_memory() {
   return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
 }
 
+std::uint64_t resident_memory() {
+  return number_behind("/proc/self/status", "VmRSS:").value_or(0) * 1024;
+}
+
+std::uint64_t program_memory() {
+  return number_behind("/proc/self/status", "RssFile:").value_or(0) * 1024;
+}
+
 std::uint64_t available_memory() {
   const auto free_kib = number_behind("/proc/meminfo", "MemAvailable:");
   return std::min(free_kib ? *free_kib * 1024 : kUnknown, left_by_control_groups());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Memory of volumes: large, aligned, not initialised.
+// Memory of volumes: large, aligned, not initialised, and used again within a run.
 #pragma once
 
 #include <cstddef>
@@ -13,11 +13,23 @@ namespace xgm {
 inline constexpr std::size_t kCellAlignment = 64;
 
 struct XGM_API CellsDeleter {
+  std::size_t bytes = 0;  ///< as asked for
   void operator()(void* cells) const;
 };
 using Cells = std::unique_ptr<void, CellsDeleter>;
 
 /// Throws std::bad_alloc if there is no such memory.
 XGM_API Cells new_cells(std::size_t bytes);
+
+/// While one lives, memory that volumes give back is kept for the next ones, so that these need not
+/// wait until the system has found and cleared it. Never more is held than was in use at once; what
+/// is kept goes back to the system when the last of these objects dies, or if memory runs out.
+class XGM_API CellReuse {
+ public:
+  CellReuse();
+  ~CellReuse();
+  CellReuse(const CellReuse&) = delete;
+  CellReuse& operator=(const CellReuse&) = delete;
+};
 
 }  // namespace xgm

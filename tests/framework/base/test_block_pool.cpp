@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+// Memory of volumes: reused, never more than was in use, given back.
+#include "base/block_pool.hpp"
+
+#include <doctest/doctest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <new>
+#include <vector>
+
+#include "xgm/base/cells.hpp"
+#include "xgm/memory.hpp"
+
+using namespace xgm;
+
+namespace {
+
+constexpr std::size_t kMega = std::size_t{1} << 20;
+
+/// Minor page faults of what `body` does.
+template <class Body>
+long faults_of(Body body) {
+  rusage before{}, after{};
+  getrusage(RUSAGE_SELF, &before);
+  body();
+  getrusage(RUSAGE_SELF, &after);
+  return after.ru_minflt - before.ru_minflt;
+}
+
+/// What `body` returns in a process of its own, which may be limited; -1 if that dies.
+template <class Body>
+int in_child(Body body) {
+  const pid_t child = fork();
+  if (child == 0) _exit(body());
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+}  // namespace
+
+TEST_CASE("blocks are aligned to huge pages and keep what is written") {
+  BlockPool pool;
+  for (const std::size_t bytes : {std::size_t{1}, kHugePage, kHugePage + 1, 5 * kHugePage}) {
+    std::byte* const block = pool.take(bytes);
+    CHECK(reinterpret_cast<std::uintptr_t>(block) % kHugePage == 0);
+    std::memset(block, 7, bytes);
+    CHECK(std::all_of(block, block + bytes, [](std::byte b) { return b == std::byte{7}; }));
+    pool.give_back({block, bytes});
+  }
+}
+
+TEST_CASE("a block is used again without page faults, also by a smaller and a larger volume") {
+  BlockPool pool;
+  const auto use = [&](std::size_t bytes) {
+    return faults_of([&] {
+      std::byte* const block = pool.take(bytes);
+      std::memset(block, 1, bytes);
+      pool.give_back({block, bytes});
+    });
+  };
+  CHECK(use(64 * kMega) > 0);
+  CHECK(use(64 * kMega) <= 2);
+  CHECK(use(60 * kMega) <= 2);
+  // Only what is added is new: at most its pages of 4 kB, where a new block has those of 64 MB.
+  CHECK(use(62 * kMega) <= static_cast<long>(2 * kMega / 4096) + 2);
+}
+
+TEST_CASE("a grown block keeps its place in the books, and its content") {
+  BlockPool pool;
+  std::byte* const small = pool.take(4 * kMega);
+  std::memset(small, 3, 4 * kMega);
+  pool.give_back({small, 4 * kMega});
+  CHECK(pool.free_bytes() == 4 * kMega);
+  std::byte* const large = pool.take(10 * kMega);
+  CHECK(pool.free_bytes() == 0);
+  CHECK(pool.used_bytes() == 10 * kMega);
+  CHECK(large[4 * kMega - 1] == std::byte{3});
+  pool.give_back({large, 10 * kMega});
+}
+
+TEST_CASE("free and used blocks together are never more than was in use at once") {
+  BlockPool pool;
+  std::vector<Block> used;
+  std::size_t most = 0;
+  std::uint64_t state = 1;
+  const auto random = [&](std::size_t below) {
+    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
+    return static_cast<std::size_t>(state >> 33) % below;
+  };
+  for (int round = 0; round < 2000; ++round) {
+    if (used.size() < 4 && random(2) == 0) {
+      const std::size_t bytes = 1 + random(30 * kMega);
+      used.push_back({pool.take(bytes), bytes});
+    } else if (!used.empty()) {
+      const auto chosen = used.begin() + static_cast<std::ptrdiff_t>(random(used.size()));
+      pool.give_back(*chosen);
+      used.erase(chosen);
+    }
+    most = std::max(most, pool.used_bytes());
+    REQUIRE(pool.used_bytes() + pool.free_bytes() <= most);
+  }
+  for (const Block& block : used) pool.give_back(block);
+  CHECK(pool.used_bytes() == 0);
+  pool.trim();
+  CHECK(pool.free_bytes() == 0);
+}
+
+TEST_CASE("without memory: std::bad_alloc, but first the free blocks are dropped") {
+  const int outcome = in_child([] {
+    BlockPool pool;
+    std::byte* const block = pool.take(400 * kMega);
+    std::byte* const other = pool.take(40 * kMega);
+    pool.give_back({block, 400 * kMega});
+    limit_memory(100 * kMega);
+    // The nearest free block is the large one; the small one in use cannot be dropped.
+    std::byte* const next = pool.take(450 * kMega);
+    pool.give_back({next, 450 * kMega});
+    try {
+      pool.take(2000 * kMega);
+    } catch (const std::bad_alloc&) {
+      pool.give_back({other, 40 * kMega});
+      return pool.free_bytes() == 40 * kMega ? 0 : 2;
+    }
+    return 1;
+  });
+  CHECK(outcome == 0);
+  BlockPool pool;
+  CHECK_THROWS_AS(pool.take(SIZE_MAX), std::bad_alloc);
+  CHECK_THROWS_AS(pool.take(SIZE_MAX / 4), std::bad_alloc);
+}
+
+TEST_CASE("volumes reuse memory while a CellReuse lives, and give it back afterwards") {
+  constexpr std::size_t kBytes = 64 * kMega;
+  const auto use = [] {
+    const Cells cells = new_cells(kBytes);
+    std::memset(cells.get(), 1, kBytes);
+  };
+  use();
+  CHECK(faults_of(use) > 2);  // nothing is kept outside of runs
+  const std::uint64_t before = resident_memory();
+  {
+    const CellReuse run;
+    use();
+    { const CellReuse another_run; }
+    CHECK(faults_of(use) <= 2);
+    CHECK(resident_memory() > before + kBytes / 2);
+  }
+  CHECK(resident_memory() < before + kBytes / 2);
+}
+
+TEST_CASE("cells of any size are aligned, and may outlive a run") {
+  Cells kept;
+  for (const std::size_t bytes : {std::size_t{0}, std::size_t{1}, std::size_t{5000}, 20 * kMega}) {
+    const CellReuse run;
+    kept = new_cells(bytes);
+    CHECK(reinterpret_cast<std::uintptr_t>(kept.get()) % kCellAlignment == 0);
+  }
+  std::memset(kept.get(), 1, 20 * kMega);
+}
