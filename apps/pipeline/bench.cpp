@@ -13,6 +13,7 @@
 #include "common.hpp"
 #include "output_folder.hpp"
 #include "progress.hpp"
+#include "values.hpp"
 #include "xgm/base/parallel.hpp"
 #include "xgm/bench_process.hpp"
 #include "xgm/bench_submission.hpp"
@@ -118,6 +119,7 @@ std::vector<std::string> run_arguments(const BenchOptions& options, const BenchP
   add("--threads", std::to_string(plan.threads));
   add("--log-level", "warning");
   if (!options.dataset.empty()) add("--dataset", options.dataset);
+  if (!options.memory_limit.empty()) add("--memory-limit", options.memory_limit);
   for (const Override& change : pipeline.overrides) {
     add("--set", change.path + "=" + change.value);
   }
@@ -192,6 +194,7 @@ int run_planned(const BenchOptions& options, const BenchPlan& plan, const BenchR
 }
 
 int bench(const BenchOptions& options) {
+  if (!options.memory_limit.empty()) parse_bytes(options.memory_limit, "--memory-limit");
   const BenchRules rules = rules_of(options);
   std::optional<BenchPlan> plan;
   std::optional<FolderLock> lock;

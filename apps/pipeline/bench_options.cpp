@@ -46,6 +46,7 @@ void add_work(CLI::App& command, BenchOptions& options) {
       .add_option("--threads", options.threads, "Threads of each run; without it all processors")
       ->type_name("N")
       ->check(CLI::Range(1, kMostThreads));
+  add_memory_limit_option(command, options.memory_limit);
 }
 
 void add_rules(CLI::App& command, BenchOptions& options) {

@@ -21,6 +21,7 @@ struct BenchOptions {
   std::string thresholds;
   std::string scale = "1";
   int threads = 0;
+  std::string memory_limit;
   std::string output = "xgm_bench";
   std::string submit;
   std::string method;

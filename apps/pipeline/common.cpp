@@ -61,6 +61,14 @@ CLI::Option* add_dataset_option(CLI::App& command, std::string& dataset) {
       ->type_name("NAME|YAML|FILE");
 }
 
+void add_memory_limit_option(CLI::App& command, std::string& limit) {
+  command
+      .add_option("--memory-limit", limit,
+                  "Refuse to begin what is going to take more memory than this ('pipeline plan' "
+                  "tells how much it is)")
+      ->type_name("SIZE");
+}
+
 std::string pipelines_folder() {
   std::error_code unknown;
   const fs::path program = fs::read_symlink("/proc/self/exe", unknown);

@@ -40,6 +40,7 @@ void add_bench(CLI::App& app, Invocation& call);
 void add_scenes(CLI::App& app, Invocation& call);
 void add_synth(CLI::App& app, Invocation& call);
 void add_explain(CLI::App& app, Invocation& call);
+void add_plan(CLI::App& app, Invocation& call);
 
 struct PluginOptions {
   std::vector<std::string> files;  ///< --plugin
@@ -56,6 +57,9 @@ std::vector<Override> parse_overrides(const std::vector<std::string>& assignment
 
 /// --dataset, for commands that take folders of scenes.
 CLI::Option* add_dataset_option(CLI::App& command, std::string& dataset);
+
+/// --memory-limit, for commands that match.
+void add_memory_limit_option(CLI::App& command, std::string& limit);
 
 /// The folder of the shipped pipelines.
 std::string pipelines_folder();

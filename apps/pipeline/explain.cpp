@@ -9,7 +9,9 @@
 #include "console.hpp"
 #include "explain_pixels.hpp"
 #include "run_inputs.hpp"
+#include "run_memory.hpp"
 #include "run_observer.hpp"
+#include "xgm/base/parallel.hpp"
 #include "xgm/io/file.hpp"
 
 namespace xgm::cli {
@@ -41,7 +43,9 @@ int explain_checked(const Options& options, const Pipeline& pipeline, const Plan
   RunObserver observer(progress, no_dumps);
   observer.show_to(*explainer);
   progress.begin("matching");
-  pipeline.run({std::move(scene.pair), range, {}}, observer, options.threads);
+  const MatchRequest request{std::move(scene.pair), range, {}};
+  guard_memory(pipeline, request, {.load = workload_of(request, thread_count())}, {});
+  pipeline.run(request, observer, options.threads);
   progress.end();
   print(options, explainer->explanations().front());
   return kOk;

@@ -13,6 +13,7 @@
 #include "output_folder.hpp"
 #include "run_depth.hpp"
 #include "run_inputs.hpp"
+#include "run_memory.hpp"
 #include "run_observer.hpp"
 #include "run_options.hpp"
 #include "run_results.hpp"
@@ -67,12 +68,16 @@ int run_checked(const RunOptions& options, const Pipeline& pipeline, const Plan&
   if (options.report) observer.show_to(levels);
   const auto explainer = make_explainer(extras.explained, scene);
   if (!extras.explained.empty()) observer.show_to(*explainer);
+  const MatchRequest request{std::move(scene.pair), range, {}};
+  guard_memory(
+      pipeline, request,
+      {.load = workload_of(request, record.threads), .truth = !scene.truth.disparity.empty()},
+      plan.memory_limit);
   progress.begin("matching");
   const Stopwatch matching;
   // Shares its pixels.
-  const Image left = extras.depth || options.report ? scene.pair.base : Image();
-  const MatchResult result =
-      pipeline.run({std::move(scene.pair), range, {}}, observer, options.threads);
+  const Image left = extras.depth || options.report ? request.pair.base : Image();
+  const MatchResult result = pipeline.run(request, observer, options.threads);
   record.matching_seconds = matching.seconds();
 
   progress.begin("writing the results");

@@ -6,7 +6,6 @@
 #include <filesystem>
 
 #include "values.hpp"
-#include "xgm/memory.hpp"
 #include "xgm/metrics.hpp"
 
 namespace xgm::cli {
@@ -74,6 +73,9 @@ Plan make_plan(const RunOptions& options, const Pipeline& pipeline, const Regist
   Plan plan;
   plan.scene = plan_scene(options, registry);
   if (plan.scene) require_images(*plan.scene);
+  if (!options.memory_limit.empty()) {
+    plan.memory_limit = parse_bytes(options.memory_limit, "--memory-limit");
+  }
   if (options.range_maps.empty()) {
     plan_disparities(plan, options, pipeline);
     return plan;
@@ -162,22 +164,6 @@ void read_truth_of_scene(const SceneFiles& files, Scene& scene) {
   }
 }
 
-/// Running out of memory must be an error, not the end of the process.
-void guard_memory(const DisparityRange& range) {
-  const std::uint64_t available = available_memory();
-  limit_memory(available);
-  const double cells = static_cast<double>(range.size().area()) * range.hull().size();
-  constexpr double kBytesPerCell = 3;  // costs and sums of a matcher without pyramid
-  if (cells * kBytesPerCell > static_cast<double>(available)) {
-    spdlog::warn(
-        "{} x {} pixels x {} disparities take about {:.1f} GB unless matched in a "
-        "pyramid, and {:.1f} GB are free; if memory runs out, use a pyramid pipeline or "
-        "a narrower range",
-        range.size().width, range.size().height, range.hull().size(), cells * kBytesPerCell / 1e9,
-        static_cast<double>(available) / 1e9);
-  }
-}
-
 }  // namespace
 
 Inputs read_inputs(const RunOptions& options, const Plan& plan) {
@@ -189,7 +175,6 @@ Inputs read_inputs(const RunOptions& options, const Plan& plan) {
     read_truth_of_scene(*plan.scene, scene);
   }
   for (const std::string& note : scene.notes) spdlog::info(note);
-  guard_memory(range);
   return {std::move(scene), std::move(range)};
 }
 

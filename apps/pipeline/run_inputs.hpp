@@ -14,8 +14,9 @@ namespace xgm::cli {
 struct Plan {
   std::optional<SceneFiles> scene;  ///< without it the sample pair
   std::optional<std::pair<std::string, std::string>> range_maps;
-  Interval disparities;          ///< unless there are range maps
-  std::string disparities_from;  ///< for people
+  Interval disparities;                ///< unless there are range maps
+  std::string disparities_from;        ///< for people
+  std::optional<double> memory_limit;  ///< bytes
 };
 
 /// Throws UsageError: no such folder, no disparity range, range maps that the pipeline cannot take.
@@ -26,8 +27,8 @@ struct Inputs {
   DisparityRange range;  ///< what lies beyond the image's width is cut off
 };
 
-/// Reads images, range maps and truth (that of --truth, else the scene's own), tells what is
-/// noteworthy, and makes running out of memory an error from now on. Throws Error.
+/// Reads images, range maps and truth (that of --truth, else the scene's own), and tells what is
+/// noteworthy. Throws Error.
 Inputs read_inputs(const RunOptions& options, const Plan& plan);
 
 }  // namespace xgm::cli

@@ -130,6 +130,7 @@ void add_run_options(CLI::App& command, RunOptions& options) {
       ->type_name("DIR")
       ->capture_default_str();
   add_matching(command, options);
+  add_memory_limit_option(command, options.memory_limit);
   command
       .add_option("--dump", options.dump,
                   "Also write the result of every stage whose path matches (see run.json for the "
@@ -166,6 +167,20 @@ void add_explain_options(CLI::App& command, RunOptions& options, std::vector<std
   add_search(command, options);
   add_matching(command, options);
   add_truth(command, options);
+  add_surroundings(command, options);
+}
+
+void add_plan_options(CLI::App& command, RunOptions& options, std::string& size) {
+  add_pipeline(command, options);
+  auto* scene = add_scene(command, options);
+  add_scene_choice(command, options, scene);
+  auto* images = add_images(command, options)->excludes(scene);
+  add_search(command, options);
+  command.add_option("--size", size, "In place of a scene: the size of colour images, px")
+      ->type_name("WxH")
+      ->excludes(scene)
+      ->excludes(images);
+  add_matching(command, options);
   add_surroundings(command, options);
 }
 

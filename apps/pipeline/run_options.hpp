@@ -28,6 +28,7 @@ struct RunOptions {
   std::string truth;
   std::string truth_mask;
   bool report = false;
+  std::string memory_limit;  ///< "2.5GB"; empty: none
   std::optional<double> truth_divisor;
   std::string cloud;
   std::string depth;
@@ -38,6 +39,9 @@ struct RunOptions {
 void add_run_options(CLI::App& command, RunOptions& options);
 /// The same but for what is written; `place` takes "[SCENE_DIR] X Y".
 void add_explain_options(CLI::App& command, RunOptions& options, std::vector<std::string>& place);
+
+/// Those of a run that matter to its memory and time, and --size.
+void add_plan_options(CLI::App& command, RunOptions& options, std::string& size);
 
 /// "min.pfm,max.pfm". Throws UsageError.
 std::pair<std::string, std::string> parse_range_maps(const std::string& text);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <map>
 
 #include "common.hpp"
 #include "xgm/metrics.hpp"
@@ -51,6 +52,29 @@ Interval parse_disparities(const std::string& text, const std::string& option) {
                      std::to_string(*last) + ":" + std::to_string(*first) + "?");
   }
   return {*first, *last + 1};
+}
+
+double parse_bytes(const std::string& text, const std::string& option) {
+  static const std::map<std::string, double> units{{"", 1},
+                                                   {"B", 1},
+                                                   {"kB", 1e3},
+                                                   {"KB", 1e3},
+                                                   {"MB", 1e6},
+                                                   {"GB", 1e9},
+                                                   {"TB", 1e12},
+                                                   {"KiB", 1024.0},
+                                                   {"MiB", 1024.0 * 1024},
+                                                   {"GiB", 1024.0 * 1024 * 1024},
+                                                   {"TiB", 1024.0 * 1024 * 1024 * 1024}};
+  const std::size_t end = text.find_last_of("0123456789.") + 1;  // npos + 1 is 0
+  const std::size_t unit = std::min(text.find_first_not_of(' ', end), text.size());
+  const auto number = parse_number(std::string_view(text).substr(0, end));
+  const auto factor = units.find(text.substr(unit));
+  if (!number || *number <= 0 || factor == units.end()) {
+    throw UsageError(option + " " + text +
+                     ": write a number with a unit, for example 800MB, 2.5GB");
+  }
+  return *number * factor->second;
 }
 
 std::vector<double> parse_thresholds(const std::string& text) {

@@ -52,7 +52,7 @@ const Layer* layer_of(const std::string& header) {
       {"xgm/explain.hpp", 4, "facade"},   {"xgm/synthesis.hpp", 4, "facade"},
       {"xgm/metrics.hpp", 4, "facade"},   {"xgm/sparsification.hpp", 4, "facade"},
       {"xgm/judgement.hpp", 4, "facade"}, {"xgm/run_record.hpp", 4, "facade"},
-      {"xgm/testing/", 5, "testing"}};
+      {"xgm/plan.hpp", 4, "facade"},      {"xgm/testing/", 5, "testing"}};
   for (const Layer& layer : layers)
     if (header.starts_with(layer.beginning)) return &layer;
   return nullptr;

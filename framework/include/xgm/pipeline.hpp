@@ -13,6 +13,7 @@
 #include "xgm/data/match.hpp"
 #include "xgm/plugin/registry.hpp"
 #include "xgm/stage/context.hpp"
+#include "xgm/stage/planner.hpp"
 
 namespace xgm {
 
@@ -28,6 +29,9 @@ class XGM_API Pipeline {
  public:
   /// Runs preprocess, matcher and postprocess. Throws Error. The result has the request's size.
   MatchResult run(const MatchRequest& request, Observer& observer, int threads = 0) const;
+
+  /// Walks through what run() does, and has every stage tell what it needs; see xgm/plan.hpp.
+  void plan(const Workload& load, const Planner& planner) const;
 
   /// The disparities that the file itself asks for, if it does.
   std::optional<Interval> disparities() const;

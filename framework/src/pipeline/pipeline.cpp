@@ -11,6 +11,7 @@
 #include "config/binder.hpp"
 #include "config/overrides.hpp"
 #include "pipeline/graph.hpp"
+#include "xgm/base/cells.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/plugin.hpp"
 
@@ -91,6 +92,13 @@ void check_request(const MatchRequest& request) {
   }
 }
 
+/// What volumes leave for each other is gone before the maps are worked on.
+MatchResult match(const Context& context, const Slot<Matcher>& matcher,
+                  const MatchRequest& request) {
+  const CellReuse reuse;
+  return matcher(context, request);
+}
+
 }  // namespace
 
 MatchResult Pipeline::run(const MatchRequest& request, Observer& observer, int threads) const {
@@ -106,7 +114,7 @@ MatchResult Pipeline::run(const MatchRequest& request, Observer& observer, int t
   for (const auto& stage : p.preprocess) {
     prepared.pair = stage(context.part(0, 0.03), prepared.pair);
   }
-  MatchResult result = p.matcher(context.part(0.03, 0.95), prepared);
+  MatchResult result = match(context.part(0.03, 0.95), p.matcher, prepared);
   for (const auto& stage : p.postprocess) {
     const Context rest = context.part(0.95, 1);
     result.forward = stage(rest, result.forward, prepared.pair);
@@ -115,6 +123,20 @@ MatchResult Pipeline::run(const MatchRequest& request, Observer& observer, int t
     }
   }
   return result;
+}
+
+void Pipeline::plan(const Workload& load, const Planner& planner) const {
+  const PipelineParameters& p = impl_->parameters;
+  Planner::Hold pair;  // run() begins with the caller's, which the caller holds
+  for (const auto& stage : p.preprocess) pair = stage.plan(planner, load);
+  Planner::Hold forward = p.matcher.plan(planner, load);
+  planner.drop_free_volumes();
+  for (const auto& stage : p.postprocess) {
+    forward = stage.plan(planner, load);
+    if (p.matcher->gives_reverse_map()) {
+      const Planner::Hold reverse = stage.plan(planner.scope("reverse"), load);
+    }
+  }
 }
 
 std::optional<Interval> Pipeline::disparities() const {

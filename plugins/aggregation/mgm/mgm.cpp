@@ -2,6 +2,7 @@
 // More global matching: each path also listens to its neighbour path (the paper's Eq. 6).
 #include "plugins/aggregation/mgm/passes.hpp"
 #include "plugins/aggregation/shared/aggregate.hpp"
+#include "plugins/aggregation/shared/needs.hpp"
 #include "plugins/aggregation/shared/parameters.hpp"
 #include "xgm/plugin.hpp"
 
@@ -33,6 +34,11 @@ class Mgm final : public xgm::Aggregation {
     return xgm::aggregation::aggregate_paths(
         costs, penalties, xgm::mgm::passes(parameters_.directions),
         {.overcounting_correction = parameters_.overcounting_correction}, context);
+  }
+
+  xgm::Needs needs(const xgm::Workload& load) const override {
+    return xgm::aggregation::needs(
+        load, {.paths = parameters_.directions, .steps = 2, .passes = 4, .bytes_per_cell = 2});
   }
 
  private:

@@ -2,6 +2,7 @@
 // Semi-global matching: costs aggregated along straight paths (the paper's Eq. 3 and 4).
 #include "plugins/aggregation/sgm/passes.hpp"
 #include "plugins/aggregation/shared/aggregate.hpp"
+#include "plugins/aggregation/shared/needs.hpp"
 #include "plugins/aggregation/shared/parameters.hpp"
 #include "xgm/plugin.hpp"
 
@@ -24,6 +25,10 @@ class Sgm final : public xgm::Aggregation {
     return xgm::aggregation::aggregate_paths(
         costs, penalties, xgm::sgm::passes(parameters_.directions),
         {.overcounting_correction = parameters_.overcounting_correction}, context);
+  }
+
+  xgm::Needs needs(const xgm::Workload& load) const override {
+    return xgm::aggregation::needs(load, {.paths = parameters_.directions});
   }
 
  private:

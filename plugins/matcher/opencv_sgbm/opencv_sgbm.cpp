@@ -48,6 +48,17 @@ class OpenCvSgbm final : public xgm::Matcher {
     return match(request.pair, asked, searched);
   }
 
+  /// With all 8 paths, or 4 in both directions, OpenCV keeps 16-bit costs and sums of all pixels.
+  xgm::Needs needs(const xgm::Workload& load) const override {
+    const bool full =
+        parameters_.mode == cv::StereoSGBM::MODE_HH || parameters_.mode == cv::StereoSGBM::MODE_HH4;
+    constexpr double kBytesPerPixel = 16;  // images of 8 bit, sixteenths of disparities
+    return {.others = load.map_bytes(),
+            .working = kBytesPerPixel * load.pixels() + (full ? 4 * load.cells() : 0),
+            .updates = load.cells(),
+            .moved = full ? 12 * load.cells() : 0};
+  }
+
  private:
   /// OpenCV holds sixteenths of a pixel in 16 bits, and one value below the range for "invalid".
   static void check(xgm::Interval searched) {

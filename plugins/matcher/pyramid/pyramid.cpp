@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Coarse to fine: the map of one level says where the next finer one has to search.
+#include <algorithm>
 #include <bit>
 #include <string>
 
@@ -62,7 +63,45 @@ class Pyramid final : public xgm::Matcher {
     return result;
   }
 
+  xgm::Planner::Hold plan(const xgm::Workload& load, const xgm::Planner& planner) const override {
+    std::vector<xgm::Workload> levels{load};  // finest first, as in run()
+    std::vector<xgm::Planner::Hold> images(1);
+    while (levels.size() < static_cast<std::size_t>(std::bit_width(unsigned(parameters_.scale)))) {
+      levels.push_back(xgm::pyramid::halve(levels.back()));
+      images.push_back(planner.hold(2 * levels.back().image_bytes()));
+    }
+    xgm::Planner::Hold maps =
+        parameters_.matcher.plan(level(planner, levels.size()), levels.back());
+    while (levels.size() > 1) {
+      levels.pop_back();
+      images.pop_back();
+      const xgm::Planner here = level(planner, levels.size());
+      const xgm::Workload narrow = narrowed(levels.back(), here);
+      xgm::Planner::Hold reverse_range;
+      if (gives_reverse_map()) {
+        reverse_range = parameters_.search_range.plan(here.scope("reverse"), narrow);
+      }
+      const auto range = parameters_.search_range.plan(here, narrow);
+      maps = parameters_.matcher.plan(here, narrow);
+    }
+    return maps;
+  }
+
  private:
+  static xgm::Planner level(const xgm::Planner& planner, std::size_t number) {
+    return planner.scope("s" + std::to_string(1U << (number - 1)));
+  }
+
+  /// What a level will probably search of its limits.
+  xgm::Workload narrowed(xgm::Workload level, const xgm::Planner& planner) const {
+    const xgm::Narrowing narrowing =
+        planner.narrowing().value_or(parameters_.search_range->narrowing());
+    level.cells_per_pixel =
+        std::min(level.cells_per_pixel, narrowing.spread + narrowing.lost * level.range.size());
+    level.ragged = level.estimated = true;
+    return level;
+  }
+
   /// Replaces the ranges of the finer `request`, its limits, by what is left to search.
   void narrow(xgm::MatchRequest& request, const xgm::MatchResult& coarse,
               const xgm::Context& context) const {

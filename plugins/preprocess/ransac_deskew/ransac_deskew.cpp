@@ -111,6 +111,14 @@ class RansacDeskew final : public xgm::Preprocess {
     return {pair.base, warp_rows(pair.match, model), pair.is_reverse};
   }
 
+  /// The base image stays as it is. SIFT takes most of the memory, a tile at a time.
+  xgm::Needs needs(const xgm::Workload& load) const override {
+    constexpr double kTilePixels = 1088 * 1088, kBytesOfSift = 260;
+    return {.others = load.image_bytes() + load.pixels(),
+            .working = 2 * load.pixels() + kBytesOfSift * std::min(load.pixels(), kTilePixels),
+            .updates = load.pixels()};
+  }
+
  private:
   std::size_t enough() const { return static_cast<std::size_t>(p_.min_matches); }
 

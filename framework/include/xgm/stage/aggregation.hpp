@@ -5,6 +5,7 @@
 
 #include "xgm/config/slot_base.hpp"
 #include "xgm/stage/context.hpp"
+#include "xgm/stage/needs.hpp"
 #include "xgm/stage/penalty.hpp"
 
 namespace xgm {
@@ -19,6 +20,10 @@ class XGM_API Aggregation : public Stage {
 
   /// Whether pixels may have different ranges. If not, a pyramid refuses this aggregation.
   virtual bool accepts_ragged_volumes() const { return true; }
+
+  /// What run() takes, for plans; the default: the volume, path costs of a few lines, 8 updates
+  /// per cell.
+  virtual Needs needs(const Workload& load) const;
 };
 
 }  // namespace xgm

@@ -4,6 +4,7 @@
 
 #include "xgm/config/slot_base.hpp"
 #include "xgm/stage/context.hpp"
+#include "xgm/stage/needs.hpp"
 
 namespace xgm {
 
@@ -14,6 +15,9 @@ class XGM_API Consistency : public Stage {
   /// Invalidates disagreeing pixels of both maps, as occluded or mismatched. `result.reverse` is
   /// set.
   virtual MatchResult run(const MatchResult& result, const Context& context) const = 0;
+
+  /// What run() takes, for plans; the default: two maps.
+  virtual Needs needs(const Workload& load) const;
 };
 
 }  // namespace xgm

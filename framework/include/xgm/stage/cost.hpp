@@ -4,6 +4,7 @@
 
 #include "xgm/config/slot_base.hpp"
 #include "xgm/stage/context.hpp"
+#include "xgm/stage/needs.hpp"
 
 namespace xgm {
 
@@ -16,6 +17,9 @@ class XGM_API Cost : public Stage {
   /// base pixels: they have no cells.
   virtual CostVolume run(const ImagePair& pair, const VolumeShapePtr& shape,
                          const Context& context) const = 0;
+
+  /// What run() takes, for plans; the default: the volume, one update per cell.
+  virtual Needs needs(const Workload& load) const;
 };
 
 }  // namespace xgm

@@ -4,6 +4,7 @@
 
 #include "xgm/config/slot_base.hpp"
 #include "xgm/stage/context.hpp"
+#include "xgm/stage/needs.hpp"
 
 namespace xgm {
 
@@ -14,6 +15,10 @@ class XGM_API Filter : public Stage {
   /// `pair.base` is the view that `map` belongs to. Returns a map of the same size.
   virtual DisparityMap run(const DisparityMap& map, const ImagePair& pair,
                            const Context& context) const = 0;
+
+  /// What run() takes, for plans; the default: a map, working memory of an image, one update per
+  /// pixel.
+  virtual Needs needs(const Workload& load) const;
 };
 
 }  // namespace xgm

@@ -4,6 +4,7 @@
 
 #include "xgm/config/slot_base.hpp"
 #include "xgm/stage/context.hpp"
+#include "xgm/stage/planner.hpp"
 
 namespace xgm {
 
@@ -20,6 +21,13 @@ class XGM_API Matcher : public Stage {
   /// Whether results hold the reverse map too. If so, left_right refuses this matcher: it would
   /// match four times.
   virtual bool gives_reverse_map() const { return false; }
+
+  /// What run() takes, for plans; the default: the maps, costs and sums.
+  virtual Needs needs(const Workload& load) const;
+
+  /// A matcher that holds stages plans them in the order in which run() calls them; see Planner.
+  /// The result holds the maps.
+  virtual Planner::Hold plan(const Workload& load, const Planner& planner) const;
 };
 
 }  // namespace xgm

@@ -10,6 +10,7 @@
 
 #include "xgm/config/slot_base.hpp"
 #include "xgm/stage/context.hpp"
+#include "xgm/stage/needs.hpp"
 
 namespace xgm {
 
@@ -59,6 +60,9 @@ class XGM_API Penalty : public Stage {
 
   virtual std::unique_ptr<const PenaltyField> run(const ImagePair& pair,
                                                   const Context& context) const = 0;
+
+  /// What run() takes, for plans; the default: a map of classes, one update per pixel.
+  virtual Needs needs(const Workload& load) const;
 };
 
 }  // namespace xgm

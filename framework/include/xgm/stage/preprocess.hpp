@@ -4,6 +4,7 @@
 
 #include "xgm/config/slot_base.hpp"
 #include "xgm/stage/context.hpp"
+#include "xgm/stage/needs.hpp"
 
 namespace xgm {
 
@@ -13,6 +14,9 @@ class XGM_API Preprocess : public Stage {
 
   /// The base image keeps its geometry, so that the disparity map stays one of the image given.
   virtual ImagePair run(const ImagePair& pair, const Context& context) const = 0;
+
+  /// What run() takes, for plans; the default: a new pair.
+  virtual Needs needs(const Workload& load) const;
 };
 
 }  // namespace xgm

@@ -4,6 +4,7 @@
 
 #include "xgm/config/slot_base.hpp"
 #include "xgm/stage/context.hpp"
+#include "xgm/stage/needs.hpp"
 
 namespace xgm {
 
@@ -15,6 +16,9 @@ class XGM_API Refinement : public Stage {
   /// pixel.
   virtual DisparityMap run(const DisparityMap& map, const AggregatedVolume& sums,
                            const Context& context) const = 0;
+
+  /// What run() takes, for plans; the default: a map, one update per pixel.
+  virtual Needs needs(const Workload& load) const;
 };
 
 }  // namespace xgm

@@ -4,6 +4,7 @@
 
 #include "xgm/config/slot_base.hpp"
 #include "xgm/stage/context.hpp"
+#include "xgm/stage/needs.hpp"
 
 namespace xgm {
 
@@ -17,6 +18,13 @@ class XGM_API SearchRange : public Stage {
   /// `limits`).
   virtual DisparityRange run(const DisparityMap& coarse, const DisparityRange& limits,
                              const Context& context) const = 0;
+
+  /// What run() takes, for plans; the default: a range of the finer level and as much beside it.
+  /// `load` is that of the finer level.
+  virtual Needs needs(const Workload& load) const;
+  /// How far this narrows the search of a scene of which nothing is known; the default is typical
+  /// of Middlebury's.
+  virtual Narrowing narrowing() const { return {}; }
 };
 
 }  // namespace xgm

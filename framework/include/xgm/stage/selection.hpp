@@ -4,6 +4,7 @@
 
 #include "xgm/config/slot_base.hpp"
 #include "xgm/stage/context.hpp"
+#include "xgm/stage/needs.hpp"
 
 namespace xgm {
 
@@ -13,6 +14,9 @@ class XGM_API Selection : public Stage {
 
   /// Whole disparities of `sums`, or out_of_range where no cell can match.
   virtual DisparityMap run(const AggregatedVolume& sums, const Context& context) const = 0;
+
+  /// What run() takes, for plans; the default: a map, one update per cell.
+  virtual Needs needs(const Workload& load) const;
 };
 
 }  // namespace xgm

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "run_memory.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include "common.hpp"
+#include "xgm/memory.hpp"
+
+namespace xgm::cli {
+namespace {
+
+/// What would make it fit.
+std::string remedy(const Pipeline& pipeline, const PlanRequest& request, const RunPlan& plan,
+                   double limit) {
+  const Interval range = request.load.range;
+  const int fitting = request.load.ragged ? 0 : most_disparities(pipeline, request, limit);
+  std::string text = fitting > 0
+                         ? fmt::format("search at most {} disparities (--disparities {}:{}), ",
+                                       fitting, range.begin, range.begin + fitting - 1)
+                         : "search fewer disparities, ";
+  if (!plan.estimated) text += "take a pyramid pipeline (tmgm16), ";
+  return text + "or match smaller images";
+}
+
+}  // namespace
+
+std::string bytes_text(double bytes) {
+  return bytes < 1e9 ? fmt::format("{:.0f} MB", bytes / 1e6)
+                     : fmt::format("{:.2f} GB", bytes / 1e9);
+}
+
+void guard_memory(const Pipeline& pipeline, const MatchRequest& match, const PlanRequest& request,
+                  std::optional<double> limit) {
+  const std::uint64_t available = available_memory();
+  const double free = static_cast<double>(available) + static_cast<double>(resident_memory());
+  PlanRequest known = request;
+  RunPlan plan = plan_run(pipeline, known);
+  if (limit && plan.estimated) {
+    known.experience = probe(pipeline, match, request.load.threads);
+    plan = plan_run(pipeline, known);
+  }
+  limit_memory(available);
+  if (plan.peak_bytes <= limit.value_or(free)) return;
+  const std::string needed = fmt::format(
+      "{} x {} px with {} disparities take {} {}", known.load.size.width, known.load.size.height,
+      known.load.range.size(), plan.estimated ? "about" : "up to", bytes_text(plan.peak_bytes));
+  const std::string what_helps = remedy(pipeline, known, plan, limit.value_or(free));
+  if (limit) {
+    throw UsageError(needed + ", and --memory-limit allows " + bytes_text(*limit) + "; " +
+                     what_helps);
+  }
+  spdlog::warn("{}, and {} are free; if memory runs out, {}", needed, bytes_text(free), what_helps);
+}
+
+}  // namespace xgm::cli
