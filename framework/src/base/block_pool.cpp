@@ -108,9 +108,11 @@ void BlockPool::drop_surplus() {
   while (!free_.empty() && used_ + free_bytes_ > most_used_) {
     const auto smallest = std::min_element(free_.begin(), free_.end(),
                                            [](Block a, Block b) { return a.bytes < b.bytes; });
-    munmap(smallest->begin, smallest->bytes);
-    free_bytes_ -= smallest->bytes;
-    free_.erase(smallest);
+    const std::size_t cut = std::min(smallest->bytes, used_ + free_bytes_ - most_used_);
+    smallest->bytes -= cut;
+    free_bytes_ -= cut;
+    munmap(smallest->begin + smallest->bytes, cut);
+    if (smallest->bytes == 0) free_.erase(smallest);
   }
 }
 

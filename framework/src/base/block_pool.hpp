@@ -17,9 +17,9 @@ struct Block {
 };
 
 /// A free block is made to fit whoever asks next: what is missing is added at its end, what is too
-/// much goes back to the system. So no block is larger than its volume, and because small free
-/// blocks are dropped as soon as free and used ones together exceed what was once in use, the pool
-/// never makes a program larger than it would be without. Not safe for several threads.
+/// much goes back to the system. So no block is larger than its volume, and because free blocks are
+/// cut as soon as free and used ones together exceed what was once in use, the pool never makes a
+/// program larger than it would be without. Not safe for several threads.
 class XGM_API BlockPool {
  public:
   BlockPool() = default;

@@ -59,7 +59,7 @@ Needs Refinement::needs(const Workload& load) const {
 }
 
 Needs Filter::needs(const Workload& load) const {
-  return {.others = load.map_bytes(), .working = load.image_bytes(), .updates = load.pixels()};
+  return {.others = load.map_bytes(), .working = load.map_bytes(), .updates = load.pixels()};
 }
 
 Needs Consistency::needs(const Workload& load) const {

@@ -57,7 +57,9 @@ class SemiGlobal final : public xgm::Matcher {
 
  private:
   xgm::Planner::Hold plan_select(const xgm::Workload& load, const xgm::Planner& planner) const {
+    auto matchable = planner.hold(load.range_bytes());
     const auto shape = planner.hold(load.shape_bytes());
+    matchable.release();
     const auto sums = plan_aggregate(load, planner);
     auto map = stages_.selection.plan(planner, load);
     if (stages_.refinement) map = stages_.refinement.plan(planner, load);

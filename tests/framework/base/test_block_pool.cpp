@@ -71,6 +71,22 @@ TEST_CASE("a block is used again without page faults, also by a smaller and a la
   CHECK(use(62 * kMega) <= static_cast<long>(2 * kMega / 4096) + 2);
 }
 
+TEST_CASE("the volumes of a second view that are a little larger cost next to no page faults") {
+  BlockPool pool;
+  const auto view = [&](std::size_t costs) {
+    return faults_of([&] {
+      Block blocks[] = {{pool.take(costs), costs}, {nullptr, 2 * costs}};
+      std::memset(blocks[0].begin, 1, costs);
+      blocks[1].begin = pool.take(2 * costs);
+      std::memset(blocks[1].begin, 1, 2 * costs);
+      for (const Block& block : blocks) pool.give_back(block);
+    });
+  };
+  const long first = view(100 * kMega);
+  CHECK(view(102 * kMega) <= std::max(first / 10, 8L));
+  CHECK(view(97 * kMega) <= std::max(first / 10, 8L));
+}
+
 TEST_CASE("a grown block keeps its place in the books, and its content") {
   BlockPool pool;
   std::byte* const small = pool.take(4 * kMega);

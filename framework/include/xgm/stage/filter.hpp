@@ -16,7 +16,7 @@ class XGM_API Filter : public Stage {
   virtual DisparityMap run(const DisparityMap& map, const ImagePair& pair,
                            const Context& context) const = 0;
 
-  /// What run() takes, for plans; the default: a map, working memory of an image, one update per
+  /// What run() takes, for plans; the default: a map, as much beside it, one update per
   /// pixel.
   virtual Needs needs(const Workload& load) const;
 };
