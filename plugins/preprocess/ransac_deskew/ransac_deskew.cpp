@@ -113,7 +113,7 @@ class RansacDeskew final : public xgm::Preprocess {
 
   /// The base image stays as it is. SIFT takes most of the memory, a tile at a time.
   xgm::Needs needs(const xgm::Workload& load) const override {
-    constexpr double kTilePixels = 1088 * 1088, kBytesOfSift = 260;
+    constexpr double kTilePixels = 1088 * 1088, kBytesOfSift = 350;
     return {.others = load.image_bytes() + load.pixels(),
             .working = 2 * load.pixels() + kBytesOfSift * std::min(load.pixels(), kTilePixels),
             .updates = load.pixels()};
