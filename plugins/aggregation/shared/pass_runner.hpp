@@ -34,16 +34,18 @@ class PassRunner {
   /// A line of pixels and those that it looks back at.
   struct Line {
     int v;
-    const Pixel* back[kLinesLookedBack + 1];  // line v, v - 1, ...; nullptr before the first one
-    int penalty_slot;                         // -1: that of the image row
-    Cell* scratch;                            // a slice per term that has to be joined
+    Pixel* back[kLinesLookedBack + 1];  // line v, v - 1, ...; nullptr before the first one
+    int penalty_slot;                   // -1: that of the image row
+    Cell* scratch;                      // a slice per term that has to be joined
+    PixelStep<Cell> step;
   };
 
   int lag() const;
   void load_penalties(int slot, int y);
-  void visit(const Line& line, int u);
-  void find_terms(const Line& line, int u, cv::Point at, const Pixel& pixel,
-                  PixelStep<Cell>& step) const;
+  Line begin_line(int v);
+  void visit(Line& line, int u);
+  void find_terms(Line& line, int u, const Pixel& pixel) const;
+  void find_penalties(Line& line, cv::Point at) const;
   const Pixel* look_back(const Line& line, int u, const Step& step) const;
   const Cell* joined(const Pixel& pixel, const Pixel& previous, const Cell* cells,
                      Cell* scratch) const;
@@ -53,7 +55,8 @@ class PassRunner {
   AggregatedVolume& sums_;
   PassStep step_;
   PassFrame frame_;
-  std::vector<std::vector<Step>> paths_;
+  std::vector<Step> steps_;  // those of the first path, of the second...
+  bool same_penalties_ = true;
   PathLines<Cell> lines_;
   std::vector<std::vector<Cell>> scratch_;  // one per line of the ring
   std::vector<Cell> nothing_;  // what a path that starts at a pixel looks back at: zeros

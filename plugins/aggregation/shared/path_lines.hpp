@@ -13,9 +13,10 @@
 
 namespace xgm::aggregation {
 
-/// A ring of lines. The slices of a pixel, one per path, lie one behind the other, with margins of
-/// infinite costs around each. Pixels take as many cells as they need, so that ragged volumes need
-/// no more room than their fullest line.
+/// A ring of lines. The slices of a pixel, one per path, lie one behind the other, with a margin
+/// before each: the granule behind a slice is written with it, infinite, so that there is a granule
+/// of infinite costs on both sides. Pixels take as many cells as they need, so that ragged volumes
+/// need no more room than their fullest line.
 template <class Cell>
 class PathLines {
  public:
@@ -49,9 +50,7 @@ class PathLines {
     Pixel& pixel = line.pixels[static_cast<std::size_t>(u)];
     Cell* cells = first_cell(line) + margin_;
     if (u > 0) cells = (&pixel)[-1].cells + std::ptrdiff_t{(&pixel)[-1].stride} * paths_;
-    const int stride = aligned(room) + margin_;
-    if (pixel.cells != cells || pixel.room != room) write_margins(cells, room, stride);
-    pixel = {cells, begin, room, stride, false};
+    pixel = {cells, begin, room, aligned(room) + margin_, false};
     return pixel;
   }
 
@@ -72,13 +71,6 @@ class PathLines {
                     shape.max_count() >= 2 * kCacheLine ? kCacheLine : VolumeShape::kGranule);
   }
   int aligned(int room) const { return (room + margin_ - 1) & -margin_; }  // a power of two
-
-  /// The cells before each slice, behind the last one, and what alignment leaves between them.
-  void write_margins(Cell* cells, int room, int stride) const {
-    std::fill_n(cells - margin_, margin_, kInfinite<Cell>);
-    for (int path = 0; path < paths_; ++path, cells += stride)
-      std::fill_n(cells + room, stride - room, kInfinite<Cell>);
-  }
 
   /// Cells of all paths in the fullest line.
   std::size_t most_cells(const VolumeShape& shape, const PassFrame& frame) const {

@@ -28,7 +28,7 @@ struct Term {
 template <class Cell>
 struct Extension {
   Term<Cell> terms[kMostTerms];  ///< of the same path; their mean counts
-  Cell* costs;                   ///< L(p, d), to be written
+  Cell* costs;                   ///< L(p, d), to be written, and a granule of infinite ones
 };
 
 /// One pixel of a pass. Slices have `room` cells, a multiple of VolumeShape::kGranule, and all of

@@ -5,6 +5,8 @@
 // once.
 #include <hwy/cache_control.h>
 
+#include <cstring>
+
 #include "plugins/aggregation/shared/pixel_step.hpp"
 #include "xgm/data/volume.hpp"
 
@@ -26,9 +28,6 @@ ExtendPaths<Cell> choose(const PassStep&) {
 #else
 
 namespace hn = hwy::HWY_NAMESPACE;
-
-template <class Cell>
-using Widest = hn::CappedTag<Cell, 64 / sizeof(Cell)>;
 
 /// Vectors of fewer lanes at the end of a slice give a minimum of all lanes, too.
 template <class D, class Full>
@@ -154,26 +153,49 @@ struct Sums {
   }
 };
 
-/// The least lane.
+/// Lane by lane the least of both halves, and so on down to 16 bytes.
 template <class D>
-HWY_INLINE hn::TFromD<D> least_lane(D d, hn::VFromD<D> v) {
+HWY_INLINE auto folded(D d, hn::VFromD<D> v) {
   if constexpr (hn::MaxLanes(d) * sizeof(hn::TFromD<D>) > 16) {
     const hn::Half<D> half;
-    return least_lane(half, hn::Min(hn::LowerHalf(half, v), hn::UpperHalf(half, v)));
+    return folded(half, hn::Min(hn::LowerHalf(half, v), hn::UpperHalf(half, v)));
   } else {
-    v = hn::Min(v, hn::ShiftRightBytes<8>(d, v));
-    v = hn::Min(v, hn::ShiftRightBytes<4>(d, v));
-    v = hn::Min(v, hn::ShiftRightBytes<2>(d, v));
-    if constexpr (sizeof(hn::TFromD<D>) == 1) v = hn::Min(v, hn::ShiftRightBytes<1>(d, v));
-    return hn::GetLane(v);
+    return v;
   }
 }
 
-/// kPaths paths that advance together.
-template <class Cell, int kPaths, int kTerms, bool kClasses>
+/// least[k] = the least lane of v[k], for one, two or four vectors at once: interleaved, a vector
+/// of minima holds those of all of them.
+template <class Cell, int kVectors, class V>
+HWY_INLINE void least_lanes(const V (&v)[kVectors], Cell (&least)[kVectors]) {
+  const hn::FixedTag<Cell, 16 / sizeof(Cell)> d;
+  auto all = v[0];
+  if constexpr (kVectors > 1) {
+    all = hn::Min(hn::InterleaveLower(d, v[0], v[1]), hn::InterleaveUpper(d, v[0], v[1]));
+  }
+  if constexpr (kVectors > 2) {
+    const auto other =
+        hn::Min(hn::InterleaveLower(d, v[2], v[3]), hn::InterleaveUpper(d, v[2], v[3]));
+    const hn::RepartitionToWide<decltype(d)> pairs;
+    const auto a = hn::BitCast(pairs, all), b = hn::BitCast(pairs, other);
+    all = hn::Min(hn::BitCast(d, hn::InterleaveLower(pairs, a, b)),
+                  hn::BitCast(d, hn::InterleaveUpper(pairs, a, b)));
+  }
+  constexpr std::size_t kBytes = kVectors * sizeof(Cell);
+  if constexpr (kBytes <= 8) all = hn::Min(all, hn::ShiftRightBytes<8>(d, all));
+  if constexpr (kBytes <= 4) all = hn::Min(all, hn::ShiftRightBytes<4>(d, all));
+  if constexpr (kBytes <= 2) all = hn::Min(all, hn::ShiftRightBytes<2>(d, all));
+  if constexpr (kBytes <= 1) all = hn::Min(all, hn::ShiftRightBytes<1>(d, all));
+  alignas(16) Cell lanes[16 / sizeof(Cell)];
+  hn::Store(all, d, lanes);
+  for (int k = 0; k < kVectors; ++k) least[k] = lanes[k];
+}
+
+/// kPaths paths that advance together, in vectors of up to D's lanes.
+template <class D, int kPaths, int kTerms, bool kClasses>
 class Group {
  public:
-  using Full = Widest<Cell>;
+  using Cell = hn::TFromD<D>;
 
   HWY_INLINE Group(const PassStep& pass, const PixelStep<Cell>& pixel, int first_path)
       : pass_(pass),
@@ -181,30 +203,35 @@ class Group {
         paths_(pixel.paths + first_path),
         begins_sums_(pass.first && first_path == 0),
         prefetches_(first_path == 0) {
-    for (int k = 0; k < kPaths; ++k) least_[k] = hn::Set(Full(), kInfinite<Cell>);
+    for (int k = 0; k < kPaths; ++k) least_[k] = hn::Set(D(), kInfinite<Cell>);
   }
 
   HWY_INLINE bool run() {
-    extend(Full(), 0);
+    extend(D(), 0);
+    decltype(folded(D(), least_[0])) folds[kPaths];
+    for (int k = 0; k < kPaths; ++k) folds[k] = folded(D(), least_[k]);
     Cell least[kPaths];
-    for (int k = 0; k < kPaths; ++k) least[k] = least_lane(Full(), least_[k]);
-    for (int k = 0; k < kPaths; ++k) subtract(Full(), 0, paths_[k].costs, least[k]);
+    least_lanes(folds, least);
+    for (int k = 0; k < kPaths; ++k) {
+      subtract(D(), 0, paths_[k].costs, least[k]);
+      std::memset(paths_[k].costs + pixel_.room, 0xFF, VolumeShape::kGranule * sizeof(Cell));
+    }
     return least[0] != kInfinite<Cell>;
   }
 
  private:
-  template <class D>
-  HWY_INLINE void extend(D d, int i) {
-    constexpr int kLanes = static_cast<int>(hn::MaxLanes(D()));
+  template <class Block>
+  HWY_INLINE void extend(Block d, int i) {
+    constexpr int kLanes = static_cast<int>(hn::MaxLanes(Block()));
     for (; i + kLanes <= pixel_.room; i += kLanes) extend_block(d, i);
-    if constexpr (kLanes > VolumeShape::kGranule) extend(hn::Half<D>(), i);
+    if constexpr (kLanes > VolumeShape::kGranule) extend(hn::Half<Block>(), i);
   }
 
-  template <class D>
-  HWY_INLINE void extend_block(D d, int i) {
+  template <class Block>
+  HWY_INLINE void extend_block(Block d, int i) {
     if (prefetches_) prefetch(d, i);
     const auto cost = load_cost(d, pixel_.cost + i, pass_.bits, pixel_.count - i);
-    Sums<D> sums;
+    Sums<Block> sums;
     for (int k = 0; k < kPaths; ++k) {
       auto brought = brought_by<kClasses>(d, paths_[k].terms[0], i);
       if constexpr (kTerms == 2) {
@@ -212,7 +239,7 @@ class Group {
       }
       const auto extended = hn::SaturatedAdd(cost, brought);
       hn::StoreU(extended, d, paths_[k].costs + i);
-      least_[k] = hn::Min(least_[k], repeated(d, Full(), extended));
+      least_[k] = hn::Min(least_[k], repeated(d, D(), extended));
       sums.add(d, brought);
     }
     if (begins_sums_) {
@@ -223,17 +250,17 @@ class Group {
   }
 
   /// Passes that go backwards or along columns are no pattern that processors foresee.
-  template <class D>
-  HWY_INLINE void prefetch(D, int i) const {
+  template <class Block>
+  HWY_INLINE void prefetch(Block, int i) const {
     constexpr std::size_t kCellsOfCacheLine = 64 / sizeof(std::uint16_t);
     hwy::Prefetch(pixel_.next_cost + i);
-    for (std::size_t cell = 0; cell < hn::MaxLanes(D()); cell += kCellsOfCacheLine)
+    for (std::size_t cell = 0; cell < hn::MaxLanes(Block()); cell += kCellsOfCacheLine)
       hwy::Prefetch(pixel_.next_sums + i + cell);
   }
 
-  template <class D>
-  HWY_INLINE void subtract(D d, int i, Cell* costs, Cell least) {
-    constexpr int kLanes = static_cast<int>(hn::MaxLanes(D()));
+  template <class Block>
+  HWY_INLINE void subtract(Block d, int i, Cell* costs, Cell least) {
+    constexpr int kLanes = static_cast<int>(hn::MaxLanes(Block()));
     const auto infinite = hn::Set(d, kInfinite<Cell>);
     const auto subtrahend = hn::Set(d, least);
     for (; i + kLanes <= pixel_.room; i += kLanes) {
@@ -241,22 +268,35 @@ class Group {
       hn::StoreU(hn::IfThenElse(hn::Eq(cost, infinite), cost, hn::Sub(cost, subtrahend)), d,
                  costs + i);
     }
-    if constexpr (kLanes > VolumeShape::kGranule) subtract(hn::Half<D>(), i, costs, least);
+    if constexpr (kLanes > VolumeShape::kGranule) subtract(hn::Half<Block>(), i, costs, least);
   }
 
   const PassStep& pass_;
   const PixelStep<Cell>& pixel_;
   const Extension<Cell>* paths_;
   bool begins_sums_, prefetches_;
-  hn::VFromD<Full> least_[kPaths];
+  hn::VFromD<D> least_[kPaths];
 };
 
-template <class Cell, int kGroup, int kTerms, bool kClasses>
-bool extend_paths(const PassStep& pass, const PixelStep<Cell>& pixel) {
+template <class D, int kGroup, int kTerms, bool kClasses, class Cell>
+HWY_INLINE bool extend_groups(D, const PassStep& pass, const PixelStep<Cell>& pixel) {
   bool finite = false;
   for (int k = 0; k < pass.paths; k += kGroup)
-    finite = Group<Cell, kGroup, kTerms, kClasses>(pass, pixel, k).run();
+    finite = Group<D, kGroup, kTerms, kClasses>(pass, pixel, k).run();
   return finite;
+}
+
+/// Short slices in short vectors, whose minima are found sooner.
+template <class Cell, int kGroup, int kTerms, bool kClasses>
+bool extend_paths(const PassStep& pass, const PixelStep<Cell>& pixel) {
+  const hn::CappedTag<Cell, 64 / sizeof(Cell)> widest;
+  if constexpr (sizeof(Cell) == 1 && hn::MaxLanes(widest) > 32) {
+    const hn::Half<decltype(widest)> half;
+    if (pixel.room < 64) {
+      return extend_groups<decltype(half), kGroup, kTerms, kClasses>(half, pass, pixel);
+    }
+  }
+  return extend_groups<decltype(widest), kGroup, kTerms, kClasses>(widest, pass, pixel);
 }
 
 template <class Cell, int kTerms, bool kClasses>

@@ -49,6 +49,7 @@ bool extend_paths_plain(const PassStep& pass, const PixelStep<Cell>& pixel) {
     for (int i = 0; i < pixel.room; ++i) {
       if (costs[i] != kInfinite<Cell>) costs[i] = static_cast<Cell>(costs[i] - least[k]);
     }
+    std::fill_n(costs + pixel.room, VolumeShape::kGranule, kInfinite<Cell>);
   }
   return least[0] != kInfinite<Cell>;
 }

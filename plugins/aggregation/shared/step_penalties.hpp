@@ -25,6 +25,7 @@ class StepPenalties {
   void load(int slot, int y);
 
   int match_classes() const { return match_classes_; }
+  bool same_everywhere() const { return one_base_class_ && match_classes_ == 1; }
   /// Penalties at pixel x, one per match class.
   const Cell* p1(int slot, int x) const { return p1_.data() + row_of_table(slot, x); }
   const Cell* p2(int slot, int x) const { return p2_.data() + row_of_table(slot, x); }
