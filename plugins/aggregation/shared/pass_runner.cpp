@@ -41,6 +41,7 @@ PassRunner<Cell>::PassRunner(const CostVolume& costs, const PenaltyField& penalt
   }
   const auto stride = static_cast<std::size_t>(scratch_stride_);
   nothing_.assign(stride, 0);
+  no_classes_.assign(stride, 0);
   scratch_.assign(static_cast<std::size_t>(lines_.slots()),
                   std::vector<Cell>(stride * kMostPaths * kMostTerms));
   extend_ = choose_extend_paths<Cell>(step_);
@@ -109,7 +110,7 @@ void PassRunner<Cell>::visit(Line& line, int u) {
   step.next_sums = sums_.data() + next_offset;
   step.count = slice.count;
   step.room = room;
-  if (!same_penalties_) find_penalties(line, at);
+  if (!same_penalties_ || line.has_doubles) find_penalties(line, at);
   find_terms(line, u, pixel);
   pixel.counts = extend_(step_, step);
 }
@@ -121,7 +122,9 @@ void PassRunner<Cell>::find_penalties(Line& line, cv::Point at) const {
   for (int path = 0; path < step_.paths; ++path) {
     for (int i = 0; i < step_.terms; ++i, ++step) {
       Term<Cell>& term = line.step.paths[path].terms[i];
-      term.classes = step->penalties.classes(slot, at.x, shape_.begin(at.y, at.x));
+      term.classes = step->penalties.match_classes() == 1
+                         ? no_classes_.data()
+                         : step->penalties.classes(slot, at.x, shape_.begin(at.y, at.x));
       term.p1 = step->penalties.p1(slot, at.x);
       term.p2 = step->penalties.p2(slot, at.x);
     }
@@ -134,6 +137,7 @@ template <class Cell>
 void PassRunner<Cell>::find_terms(Line& line, int u, const Pixel& pixel) const {
   Cell* scratch = line.scratch;
   const Step* step = steps_.data();
+  line.has_doubles = false;
   for (int path = 0; path < step_.paths; ++path) {
     Extension<Cell>& extension = line.step.paths[path];
     extension.costs = pixel.cells + std::ptrdiff_t{pixel.stride} * path;
@@ -151,10 +155,12 @@ void PassRunner<Cell>::find_terms(Line& line, int u, const Pixel& pixel) const {
     for (int i = 0; i < step_.terms; ++i) {
       Term<Cell>& term = extension.terms[i];
       if (term.previous != nullptr) continue;
-      if (counting != nullptr)
-        term = *counting;
-      else
+      if (counting == nullptr) {
         term.previous = nothing_.data() + kGranule;
+      } else {
+        term = *counting;
+        line.has_doubles = true;
+      }
     }
   }
 }

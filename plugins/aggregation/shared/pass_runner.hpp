@@ -38,6 +38,7 @@ class PassRunner {
     int penalty_slot;                   // -1: that of the image row
     Cell* scratch;                      // a slice per term that has to be joined
     PixelStep<Cell> step;
+    bool has_doubles;  // terms that took the place, and the penalties, of another one
   };
 
   int lag() const;
@@ -59,7 +60,8 @@ class PassRunner {
   bool same_penalties_ = true;
   PathLines<Cell> lines_;
   std::vector<std::vector<Cell>> scratch_;  // one per line of the ring
-  std::vector<Cell> nothing_;  // what a path that starts at a pixel looks back at: zeros
+  std::vector<Cell> nothing_;             // what a path that starts at a pixel looks back at: zeros
+  std::vector<std::uint8_t> no_classes_;  // where one step has no match classes and another has
   int scratch_stride_;
   ExtendPaths<Cell> extend_;
 };

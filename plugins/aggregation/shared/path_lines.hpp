@@ -50,7 +50,7 @@ class PathLines {
     Pixel& pixel = line.pixels[static_cast<std::size_t>(u)];
     Cell* cells = first_cell(line) + margin_;
     if (u > 0) cells = (&pixel)[-1].cells + std::ptrdiff_t{(&pixel)[-1].stride} * paths_;
-    pixel = {cells, begin, room, aligned(room) + margin_, false};
+    pixel = {cells, begin, room, room == 0 ? 0 : aligned(room) + margin_, false};
     return pixel;
   }
 
@@ -64,11 +64,14 @@ class PathLines {
 
   Line& line_of(int v) { return lines_[static_cast<std::size_t>(slot(v))]; }
 
-  /// Whole cache lines where slices are long, else what vectors of a granule need.
+  /// A granule; whole cache lines where slices are long and always lie at the same places, so that
+  /// what is between them stays infinite from the beginning.
   static int margin(const VolumeShape& shape) {
     constexpr int kCacheLine = static_cast<int>(kCellAlignment / sizeof(Cell));
-    return std::max(VolumeShape::kGranule,
-                    shape.max_count() >= 2 * kCacheLine ? kCacheLine : VolumeShape::kGranule);
+    const int room = VolumeShape::rounded_up(shape.max_count());
+    const bool dense =
+        shape.cells() == std::int64_t{shape.width()} * shape.height() * std::int64_t{room};
+    return dense && room >= 2 * kCacheLine ? kCacheLine : VolumeShape::kGranule;
   }
   int aligned(int room) const { return (room + margin_ - 1) & -margin_; }  // a power of two
 

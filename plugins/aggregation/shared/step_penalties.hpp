@@ -30,9 +30,9 @@ class StepPenalties {
   const Cell* p1(int slot, int x) const { return p1_.data() + row_of_table(slot, x); }
   const Cell* p2(int slot, int x) const { return p2_.data() + row_of_table(slot, x); }
   /// Match classes of disparities begin, begin + 1, ... at pixel x. Where the match pixel lies
-  /// outside the image nothing can be matched, and any class will do.
+  /// outside the image nothing can be matched, and any class will do. Only if there are several.
   const std::uint8_t* classes(int slot, int x, int begin) const {
-    return match_classes_ == 1 ? nullptr : match_[slot] + (width_ - 1 - x + begin - hull_.begin);
+    return match_[slot] + (width_ - 1 - x + begin - hull_.begin);
   }
 
  private:

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "xgm/base/cells.hpp"
@@ -86,6 +87,10 @@ class Volume {
   /// First cell of a pixel; shape().count(y, x) cells follow.
   Cell* at(int y, int x) { return data() + shape_->offset(y, x); }
   const Cell* at(int y, int x) const { return data() + shape_->offset(y, x); }
+  /// All of a pixel's.
+  std::span<const Cell> cells(int y, int x) const {
+    return {at(y, x), static_cast<std::size_t>(shape_->count(y, x))};
+  }
   Cell* data() { return static_cast<Cell*>(cells_.get()); }
   const Cell* data() const { return static_cast<const Cell*>(cells_.get()); }
   std::size_t bytes() const { return static_cast<std::size_t>(shape_->cells()) * sizeof(Cell); }
