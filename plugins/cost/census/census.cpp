@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Cost "census": how many neighbours are darker than the centre in one view but not in the other.
+#include <algorithm>
+
 #include "plugins/cost/census/hamming.hpp"
 #include "plugins/cost/census/transform.hpp"
 #include "plugins/cost/shared/candidates.hpp"
@@ -34,17 +36,24 @@ class Census final : public xgm::Cost {
                       const xgm::Context&) const override {
     const xgm::ImagePair pair = xgm::cost::comparable(images);
     xgm::CostVolume costs(shape, window_.area() - 1);
+    const auto channels = static_cast<int>(pair.base.planes.size());
+    const xgm::census::RowLayout mirrored = candidates_of(*shape);
     xgm::parallel_for(0, shape->height(), [&](int y) {
       const auto base = xgm::census::transform(pair.base, y, window_);
-      const auto match = xgm::census::mirrored(xgm::census::transform(pair.match, y, window_));
-      xgm::cost::fill_row(costs, pair.match.valid, y, [&](const xgm::cost::Candidates& candidates) {
-        xgm::census::hamming(base, match, candidates);
-      });
+      const auto match = xgm::census::transform(pair.match, y, window_, mirrored);
+      xgm::census::hamming({base, match, channels}, y, costs);
     });
     return costs;
   }
 
  private:
+  /// A match row that holds a candidate, or says that there is none, for every cell and for what
+  /// lies between a slice's last cell and its end.
+  static xgm::census::RowLayout candidates_of(const xgm::VolumeShape& shape) {
+    const xgm::Interval hull = shape.hull();
+    return {true, std::max(0, -hull.begin), std::max(0, hull.end) + xgm::VolumeShape::kGranule};
+  }
+
   cv::Size window_;
 };
 
