@@ -2,7 +2,6 @@
 // Left-right-right-left check (the paper's Eq. 5): a disparity stays if the pixel it points at
 // points back. What fails is told apart as occluded or mismatched.
 #include <cmath>
-#include <vector>
 
 #include "plugins/consistency/lrrl/pointed_at.hpp"
 #include "xgm/plugin.hpp"
@@ -38,23 +37,36 @@ class Lrrl final : public xgm::Consistency {
   /// `map` checked against `other`, which is as the matcher left it: the formula x_other = x - d
   /// holds for both views, so one function serves both.
   DisparityMap checked(const DisparityMap& map, const DisparityMap& other) const {
-    DisparityMap result = map.clone();
-    xgm::parallel_for(0, map.size().height, [&](int y) {
-      std::vector<char> pointed;
-      xgm::lrrl::mark_pointed_at(other.disparity, y, p_.threshold, pointed);
-      for (int x = 0; x < map.size().width; ++x) {
-        if (!map.valid(y, x) || agrees(map.disparity(y, x), other, y, x)) continue;
-        const bool visible = pointed[static_cast<std::size_t>(x)] != 0;
-        result.invalidate(y, x, visible ? Status::mismatched : Status::occluded);
-      }
+    const cv::Size size = map.size();
+    DisparityMap result;
+    result.disparity.create(size);
+    result.status.create(size);
+    cv::Mat1b marks(size.height, size.width + 2);
+    xgm::parallel_for(0, size.height, [&](int y) {
+      xgm::lrrl::mark_pointed_at(other.disparity, y, p_.threshold, marks[y]);
+      check_row(map, other, y, marks[y] + 1, result);
     });
     return result;
   }
+  void check_row(const DisparityMap& map, const DisparityMap& other, int y,
+                 const std::uint8_t* pointed, DisparityMap& result) const {
+    const float* const disparities = map.disparity[y];
+    const std::uint8_t* const states = map.status[y];
+    for (int x = 0; x < map.size().width; ++x) {
+      const auto status = static_cast<Status>(states[x]);
+      if (!has_disparity(status) ||
+          agrees(x, disparities[x], other.disparity[y], other.size().width)) {
+        result.set(y, x, disparities[x], status);
+      } else {
+        result.invalidate(y, x, pointed[x] != 0 ? Status::mismatched : Status::occluded);
+      }
+    }
+  }
   /// False also where the disparity points outside the other view, or at a pixel without one.
-  bool agrees(float disparity, const DisparityMap& other, int y, int x) const {
-    const int q = xgm::lrrl::target(x, disparity);
-    if (q < 0 || q >= other.size().width) return false;
-    const double back = other.disparity(y, q);  // NaN compares false
+  bool agrees(int x, float disparity, const float* other, int width) const {
+    const int q = xgm::lrrl::target(x, disparity, width);
+    if (q < 0 || q >= width) return false;
+    const double back = other[q];  // NaN compares false
     return std::abs(static_cast<double>(disparity) + back) <= p_.threshold;
   }
 

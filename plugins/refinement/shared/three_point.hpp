@@ -2,7 +2,7 @@
 // What three-point sub-pixel fits share: finding S(d-1), S(d), S(d+1) and moving the disparity.
 #pragma once
 
-#include <cmath>
+#include <algorithm>
 
 #include "xgm/base/parallel.hpp"
 #include "xgm/data/disparity_map.hpp"
@@ -17,17 +17,20 @@ struct Rises {
   int above = 0;
 };
 
-/// Looks up the rises at `disparity`. False where no fit is possible: the disparity is no whole
-/// number, it or a neighbour is outside the pixel's range or kNoMatch, it is no minimum, or flat.
+/// Looks up the rises at `disparity`. False where no fit is possible: there is no disparity, it is
+/// no whole number, it or a neighbour is outside the pixel's range or kNoMatch, it is no minimum,
+/// or flat.
 inline bool find_rises(const AggregatedVolume& sums, int y, int x, float disparity, Rises& rises) {
-  const float whole = std::nearbyint(disparity);
   const VolumeShape& shape = sums.shape();
-  // Compared as floats: the cast is safe only for disparities inside the range.
-  if (whole != disparity || !(whole > static_cast<float>(shape.begin(y, x))) ||
-      !(whole < static_cast<float>(shape.end(y, x) - 1))) {
+  const int begin = shape.begin(y, x);
+  // Compared as floats: the cast is safe only for disparities inside the range. NaN is in none.
+  if (!(disparity > static_cast<float>(begin)) ||
+      !(disparity < static_cast<float>(shape.end(y, x) - 1))) {
     return false;
   }
-  const std::uint16_t* cell = sums.at(y, x) + (static_cast<int>(whole) - shape.begin(y, x));
+  const int whole = static_cast<int>(disparity);
+  if (static_cast<float>(whole) != disparity) return false;
+  const std::uint16_t* cell = sums.at(y, x) + (whole - begin);
   constexpr auto kNoMatch = AggregatedVolume::kNoMatch;
   if (cell[-1] == kNoMatch || cell[0] == kNoMatch || cell[1] == kNoMatch) return false;
   rises = {cell[-1] - cell[0], cell[1] - cell[0]};
@@ -37,13 +40,18 @@ inline bool find_rises(const AggregatedVolume& sums, int y, int x, float dispari
 /// Adds shift(rises), within [-0.5, 0.5], to every disparity that allows a fit; all else stays.
 template <class Shift>
 DisparityMap refine(const DisparityMap& map, const AggregatedVolume& sums, Shift shift) {
-  DisparityMap refined = map.clone();
-  parallel_for(0, map.size().height, [&](int y) {
-    Rises rises;
-    for (int x = 0; x < map.size().width; ++x) {
-      if (map.valid(y, x) && find_rises(sums, y, x, map.disparity(y, x), rises)) {
-        refined.disparity(y, x) += shift(rises);
-      }
+  const cv::Size size = map.size();
+  DisparityMap refined;
+  refined.disparity.create(size);
+  refined.status.create(size);
+  parallel_for(0, size.height, [&](int y) {
+    std::copy_n(map.status[y], size.width, refined.status[y]);
+    const float* const whole = map.disparity[y];
+    float* const result = refined.disparity[y];
+    for (int x = 0; x < size.width; ++x) {
+      Rises rises;
+      const bool fits = find_rises(sums, y, x, whole[x], rises);
+      result[x] = fits ? whole[x] + shift(rises) : whole[x];
     }
   });
   return refined;
