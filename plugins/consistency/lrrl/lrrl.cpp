@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Left-right-right-left check (the paper's Eq. 5): a disparity stays if the pixel it points at
 // points back. What fails is told apart as occluded or mismatched.
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "plugins/consistency/lrrl/pointed_at.hpp"
+#include "plugins/consistency/lrrl/sight_lines.hpp"
 #include "xgm/plugin.hpp"
 
 namespace {
 
 using xgm::DisparityMap;
 using xgm::Status;
+using xgm::lrrl::SightLines;
 
 class Lrrl final : public xgm::Consistency {
  public:
@@ -30,44 +33,45 @@ class Lrrl final : public xgm::Consistency {
     if (!result.reverse) {
       throw xgm::Error("there is no reverse map to check against; use a matcher that makes one");
     }
-    return {checked(result.forward, *result.reverse), checked(*result.reverse, result.forward)};
+    const cv::Size size = result.forward.size();
+    xgm::MatchResult checked{unset(size), unset(size)};
+    constexpr int kBand = 16;  // rows that share their memory
+    xgm::parallel_for(0, (size.height + kBand - 1) / kBand, [&](int band) {
+      SightLines forward(size.width), reverse(size.width);
+      for (int y = band * kBand; y < std::min(size.height, (band + 1) * kBand); ++y) {
+        forward.load(result.forward.disparity[y], p_.threshold);
+        reverse.load(result.reverse->disparity[y], p_.threshold);
+        check(forward, reverse, result.forward.status[y], y, checked.forward);
+        check(reverse, forward, result.reverse->status[y], y, *checked.reverse);
+      }
+    });
+    return checked;
   }
 
  private:
-  /// `map` checked against `other`, which is as the matcher left it: the formula x_other = x - d
-  /// holds for both views, so one function serves both.
-  DisparityMap checked(const DisparityMap& map, const DisparityMap& other) const {
-    const cv::Size size = map.size();
-    DisparityMap result;
-    result.disparity.create(size);
-    result.status.create(size);
-    cv::Mat1b marks(size.height, size.width + 2);
-    xgm::parallel_for(0, size.height, [&](int y) {
-      xgm::lrrl::mark_pointed_at(other.disparity, y, p_.threshold, marks[y]);
-      check_row(map, other, y, marks[y] + 1, result);
-    });
-    return result;
+  /// A map of which every pixel will be set.
+  static DisparityMap unset(cv::Size size) {
+    DisparityMap map;
+    map.disparity.create(size);
+    map.status.create(size);
+    return map;
   }
-  void check_row(const DisparityMap& map, const DisparityMap& other, int y,
-                 const std::uint8_t* pointed, DisparityMap& result) const {
-    const float* const disparities = map.disparity[y];
-    const std::uint8_t* const states = map.status[y];
-    for (int x = 0; x < map.size().width; ++x) {
-      const auto status = static_cast<Status>(states[x]);
-      if (!has_disparity(status) ||
-          agrees(x, disparities[x], other.disparity[y], other.size().width)) {
-        result.set(y, x, disparities[x], status);
-      } else {
-        result.invalidate(y, x, pointed[x] != 0 ? Status::mismatched : Status::occluded);
-      }
+  /// Checks a row against the other view's, which is as the matcher left it: the formula
+  /// x_other = x - d holds for both views, so one function serves both.
+  void check(const SightLines& row, const SightLines& other, const std::uint8_t* states, int y,
+             DisparityMap& checked) const {
+    float* const disparities = checked.disparity[y];
+    std::uint8_t* const reasons = checked.status[y];
+    for (int x = 0; x < row.width(); ++x) {
+      const float disparity = row.disparity(x);
+      // NaN, of a pixel without a disparity or for a target outside, compares false.
+      const double round_trip = static_cast<double>(disparity) + other.disparity(row.target(x));
+      const bool agrees = std::abs(round_trip) <= p_.threshold;
+      const bool stays = agrees | !has_disparity(static_cast<Status>(states[x]));
+      const Status reason = other.meet(x) ? Status::mismatched : Status::occluded;
+      disparities[x] = stays ? disparity : std::numeric_limits<float>::quiet_NaN();
+      reasons[x] = stays ? states[x] : static_cast<std::uint8_t>(reason);
     }
-  }
-  /// False also where the disparity points outside the other view, or at a pixel without one.
-  bool agrees(int x, float disparity, const float* other, int width) const {
-    const int q = xgm::lrrl::target(x, disparity, width);
-    if (q < 0 || q >= width) return false;
-    const double back = other[q];  // NaN compares false
-    return std::abs(static_cast<double>(disparity) + back) <= p_.threshold;
   }
 
   Parameters p_;

@@ -3,8 +3,9 @@
 #include "plugins/cost/census/transform.hpp"
 
 #include <algorithm>
-#include <array>
 #include <limits>
+
+#include "plugins/cost/census/compare.hpp"
 
 namespace xgm::census {
 namespace {
@@ -59,23 +60,8 @@ class Neighbourhood {
   std::vector<float> levels_;
 };
 
-using Eight = std::array<const float*, 8>;
-
-void compare(const Eight& neighbours, const float* centres, int width,
-             std::uint8_t* __restrict out) {
-  const auto [a, b, c, d, e, f, g, h] = neighbours;  // written out: so compilers make vectors of it
-  for (int x = 0; x < width; ++x) {
-    const float centre = centres[x];
-    const int low = (a[x] < centre ? 1 : 0) | (b[x] < centre ? 2 : 0) | (c[x] < centre ? 4 : 0) |
-                    (d[x] < centre ? 8 : 0);
-    const int high = (e[x] < centre ? 16 : 0) | (f[x] < centre ? 32 : 0) |
-                     (g[x] < centre ? 64 : 0) | (h[x] < centre ? 128 : 0);
-    out[x] = static_cast<std::uint8_t>(low | high);
-  }
-}
-
-std::vector<Eight> neighbours(const Neighbourhood& around, cv::Size window) {
-  std::vector<Eight> result;
+std::vector<Neighbours> neighbours(const Neighbourhood& around, cv::Size window) {
+  std::vector<Neighbours> result;
   int bit = 0;
   for (int dy = -(window.height / 2); dy <= window.height / 2; ++dy) {
     for (int dx = -(window.width / 2); dx <= window.width / 2; ++dx) {
@@ -101,14 +87,14 @@ void mark_absent(const Image& image, int y, const RowLayout& layout, std::uint8_
 
 Descriptors transform(const Image& image, int y, cv::Size window, const RowLayout& layout) {
   Neighbourhood around(image, y, window, layout.mirrored);
-  const std::vector<Eight> bytes = neighbours(around, window);
+  const std::vector<Neighbours> bytes = neighbours(around, window);
   const int width = image.size().width;
   Descriptors row(static_cast<int>(image.planes.size() * bytes.size()), width, layout.before,
                   layout.behind);
   int k = 0;
   for (const cv::Mat1f& plane : image.planes) {
     around.load(plane);
-    for (const Eight& byte : bytes) compare(byte, around.at(0, 0), width, row.plane(k++));
+    for (const Neighbours& byte : bytes) compare(byte, around.at(0, 0), width, row.plane(k++));
   }
   mark_absent(image, y, layout, row.absent());
   return row;

@@ -17,21 +17,25 @@ struct Rises {
   int above = 0;
 };
 
-/// Looks up the rises at `disparity`. False where no fit is possible: there is no disparity, it is
-/// no whole number, it or a neighbour is outside the pixel's range or kNoMatch, it is no minimum,
-/// or flat.
-inline bool find_rises(const AggregatedVolume& sums, int y, int x, float disparity, Rises& rises) {
+/// The cell of a whole disparity that has one on either side; null for any other, and for none.
+inline const std::uint16_t* inner_cell(const AggregatedVolume& sums, int y, int x,
+                                       float disparity) {
   const VolumeShape& shape = sums.shape();
   const int begin = shape.begin(y, x);
   // Compared as floats: the cast is safe only for disparities inside the range. NaN is in none.
   if (!(disparity > static_cast<float>(begin)) ||
       !(disparity < static_cast<float>(shape.end(y, x) - 1))) {
-    return false;
+    return nullptr;
   }
   const int whole = static_cast<int>(disparity);
-  if (static_cast<float>(whole) != disparity) return false;
-  const std::uint16_t* cell = sums.at(y, x) + (whole - begin);
+  return static_cast<float>(whole) == disparity ? sums.at(y, x) + (whole - begin) : nullptr;
+}
+
+/// Looks up the rises around a cell. False where no fit is possible: there is no cell, it or a
+/// neighbour is kNoMatch, it is no minimum, or flat.
+inline bool find_rises(const std::uint16_t* cell, Rises& rises) {
   constexpr auto kNoMatch = AggregatedVolume::kNoMatch;
+  if (cell == nullptr) return false;
   if (cell[-1] == kNoMatch || cell[0] == kNoMatch || cell[1] == kNoMatch) return false;
   rises = {cell[-1] - cell[0], cell[1] - cell[0]};
   return rises.below >= 0 && rises.above >= 0 && rises.below + rises.above > 0;
@@ -40,6 +44,8 @@ inline bool find_rises(const AggregatedVolume& sums, int y, int x, float dispari
 /// Adds shift(rises), within [-0.5, 0.5], to every disparity that allows a fit; all else stays.
 template <class Shift>
 DisparityMap refine(const DisparityMap& map, const AggregatedVolume& sums, Shift shift) {
+  // Cells of neighbours lie too far apart for the processor to see them coming.
+  constexpr int kAhead = 24;
   const cv::Size size = map.size();
   DisparityMap refined;
   refined.disparity.create(size);
@@ -49,8 +55,10 @@ DisparityMap refine(const DisparityMap& map, const AggregatedVolume& sums, Shift
     const float* const whole = map.disparity[y];
     float* const result = refined.disparity[y];
     for (int x = 0; x < size.width; ++x) {
+      const int ahead = std::min(x + kAhead, size.width - 1);
+      __builtin_prefetch(inner_cell(sums, y, ahead, whole[ahead]));
       Rises rises;
-      const bool fits = find_rises(sums, y, x, whole[x], rises);
+      const bool fits = find_rises(inner_cell(sums, y, x, whole[x]), rises);
       result[x] = fits ? whole[x] + shift(rises) : whole[x];
     }
   });
