@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Cost "census": how many neighbours are darker than the centre in one view but not in the other.
-#include <algorithm>
-
 #include "plugins/cost/census/hamming.hpp"
 #include "plugins/cost/census/transform.hpp"
 #include "plugins/cost/shared/candidates.hpp"
@@ -34,26 +32,14 @@ class Census final : public xgm::Cost {
 
   xgm::CostVolume run(const xgm::ImagePair& images, const xgm::VolumeShapePtr& shape,
                       const xgm::Context&) const override {
-    const xgm::ImagePair pair = xgm::cost::comparable(images);
-    xgm::CostVolume costs(shape, window_.area() - 1);
-    const auto channels = static_cast<int>(pair.base.planes.size());
-    const xgm::census::RowLayout mirrored = candidates_of(*shape);
-    xgm::parallel_for(0, shape->height(), [&](int y) {
-      const auto base = xgm::census::transform(pair.base, y, window_);
-      const auto match = xgm::census::transform(pair.match, y, window_, mirrored);
-      xgm::census::hamming({base, match, channels}, y, costs);
-    });
-    return costs;
+    const auto transform = [&](const xgm::Image& image, int y, const xgm::cost::RowLayout& layout) {
+      return xgm::census::transform(image, y, window_, layout);
+    };
+    return xgm::cost::compare_rows(images, shape, window_.area() - 1, transform,
+                                   xgm::census::hamming);
   }
 
  private:
-  /// A match row that holds a candidate, or says that there is none, for every cell and for what
-  /// lies between a slice's last cell and its end.
-  static xgm::census::RowLayout candidates_of(const xgm::VolumeShape& shape) {
-    const xgm::Interval hull = shape.hull();
-    return {true, std::max(0, -hull.begin), std::max(0, hull.end) + xgm::VolumeShape::kGranule};
-  }
-
   cv::Size window_;
 };
 

@@ -43,7 +43,10 @@ class Neighbourhood {
       std::copy_n(source, width, levels);
     } else {
       const std::uint8_t* const valid = image_.valid[row];
-      for (int x = 0; x < width; ++x) levels[x] = valid[x] != 0 ? source[x] : kNothing;
+      for (int x = 0; x < width; ++x) {
+        const float level = source[x];
+        levels[x] = valid[x] != 0 ? level : kNothing;
+      }
     }
     if (mirrored_) std::reverse(levels, levels + width);
   }
@@ -73,30 +76,17 @@ std::vector<Neighbours> neighbours(const Neighbourhood& around, cv::Size window)
   return result;
 }
 
-void mark_absent(const Image& image, int y, const RowLayout& layout, std::uint8_t* absent) {
-  const int width = image.size().width;
-  std::fill(absent - layout.before, absent, std::uint8_t{255});
-  std::fill_n(absent + width, layout.behind, std::uint8_t{255});
-  if (image.valid.empty()) return;
-  const std::uint8_t* const valid = image.valid[y];
-  for (int x = 0; x < width; ++x) absent[x] = valid[x] != 0 ? 0 : 255;
-  if (layout.mirrored) std::reverse(absent, absent + width);
-}
-
 }  // namespace
 
-Descriptors transform(const Image& image, int y, cv::Size window, const RowLayout& layout) {
+Descriptors transform(const Image& image, int y, cv::Size window, const cost::RowLayout& layout) {
   Neighbourhood around(image, y, window, layout.mirrored);
   const std::vector<Neighbours> bytes = neighbours(around, window);
-  const int width = image.size().width;
-  Descriptors row(static_cast<int>(image.planes.size() * bytes.size()), width, layout.before,
-                  layout.behind);
+  Descriptors row(image, y, static_cast<int>(image.planes.size() * bytes.size()), layout);
   int k = 0;
   for (const cv::Mat1f& plane : image.planes) {
     around.load(plane);
-    for (const Neighbours& byte : bytes) compare(byte, around.at(0, 0), width, row.plane(k++));
+    for (const Neighbours& byte : bytes) compare(byte, around.at(0, 0), plane.cols, row.plane(k++));
   }
-  mark_absent(image, y, layout, row.absent());
   return row;
 }
 

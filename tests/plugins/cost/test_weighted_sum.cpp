@@ -17,6 +17,16 @@ std::string sum_of_both(const std::string& weights) {
          "], weights: " + weights + "}";
 }
 
+/// Calls body(i) for every cell i that belongs to a disparity.
+template <class Body>
+void each_cell(const VolumeShape& shape, const Body& body) {
+  for (int y = 0; y < shape.height(); ++y) {
+    for (int x = 0; x < shape.width(); ++x) {
+      for (int i = 0; i < shape.count(y, x); ++i) body(shape.offset(y, x) + i);
+    }
+  }
+}
+
 /// Compares every cell with the two costs run by themselves.
 void check_sum(double census_weight, double difference_weight, const std::string& yaml) {
   for (const CostCase& c : cost_cases(false)) {
@@ -29,10 +39,10 @@ void check_sum(double census_weight, double difference_weight, const std::string
           254, static_cast<int>(std::floor(census_weight * a + difference_weight * b + 0.5)));
     };
     int wrong = 0;
-    for (std::int64_t i = 0; i < shape->cells(); ++i) {
+    each_cell(*shape, [&](std::int64_t i) {
       const bool none = census.data()[i] == 255 || difference.data()[i] == 255;
       wrong += sum.data()[i] != (none ? 255 : expected(census.data()[i], difference.data()[i]));
-    }
+    });
     CHECK_MESSAGE(wrong == 0, c.name);
     CHECK(sum.max_cost == expected(8, 200));
   }
@@ -54,7 +64,7 @@ TEST_CASE("weighted_sum has no match where one of its costs has none") {
       DisparityRange::uniform(pair.size(), {-6, 7}), pair.base.valid);
   const CostVolume sum = stage<Cost>(sum_of_both("[1, 0]"))->run(pair, shape, Context{});
   const CostVolume census = stage<Cost>(kCensus)->run(pair, shape, Context{});
-  for (std::int64_t i = 0; i < shape->cells(); ++i) CHECK(sum.data()[i] == census.data()[i]);
+  each_cell(*shape, [&](std::int64_t i) { CHECK(sum.data()[i] == census.data()[i]); });
 }
 
 TEST_CASE("weighted_sum is symmetric") { check_symmetry(sum_of_both("[2.5, 0.25]")); }
