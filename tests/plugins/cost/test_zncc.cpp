@@ -62,7 +62,11 @@ std::vector<int> costs_at_zero(const cv::Mat1f& base, const cv::Mat1f& match) {
   const auto shape =
       std::make_shared<const VolumeShape>(DisparityRange::uniform(pair.size(), {0, 1}));
   const CostVolume costs = stage<Cost>("{type: zncc, scale: 100}")->run(pair, shape, Context{});
-  return {costs.data(), costs.data() + shape->cells()};
+  std::vector<int> result;
+  for (int y = 0; y < shape->height(); ++y) {
+    for (int x = 0; x < shape->width(); ++x) result.push_back(costs.at(y, x)[0]);
+  }
+  return result;
 }
 
 }  // namespace
