@@ -32,11 +32,18 @@ struct StageSeconds {
   std::vector<double> seconds{};  ///< per round, without the stages inside
 };
 
+/// Of one run, from images in memory to the map.
+struct RunSeconds {
+  double wall = 0;
+  double cpu = 0;  ///< of all threads: what the work costs, whatever else the machine does
+};
+
 /// One contestant: a pipeline with one SIMD target, or one of OpenCV's modes.
 struct SpeedTimes {
   std::string name;                    ///< "sgm8", "OpenCV HH"
   std::string simd;                    ///< empty: OpenCV, which chooses for itself
-  std::vector<double> seconds{};       ///< per round: wall time of the whole run, no files
+  std::vector<double> seconds{};       ///< per round: wall time
+  std::vector<double> cpu_seconds{};   ///< per round
   std::vector<StageSeconds> stages{};  ///< in the order in which they begin; OpenCV has none
   std::string failure{};               ///< why it could not be timed; empty if it was
 };

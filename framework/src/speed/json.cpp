@@ -33,6 +33,7 @@ std::string speed_json(const SpeedResult& result) {
                      {"simd", one.simd.empty() ? Json() : Json(one.simd)},
                      {"median_seconds", timed ? Json(median(one.seconds)) : Json()},
                      {"seconds", one.seconds},
+                     {"cpu_seconds", one.cpu_seconds},
                      {"stages", stages_json(one.stages)},
                      {"failure", one.failure.empty() ? Json() : Json(one.failure)}});
   }

@@ -57,7 +57,7 @@ std::string title(const SpeedResult& result) {
 
 std::string contestants(const SpeedResult& result) {
   std::vector<const SpeedTimes*> peers;
-  Row header{"pipeline", "SIMD", "s", "least s", "MDE/s"};
+  Row header{"pipeline", "SIMD", "s", "least s", "CPU s", "MDE/s"};
   for (const SpeedTimes& times : result.times) {
     if (!is_peer(times)) continue;
     peers.push_back(&times);
@@ -69,10 +69,11 @@ std::string contestants(const SpeedResult& result) {
   for (const SpeedTimes& times : result.times) {
     Row row{times.name, is_peer(times) ? "its own" : times.simd};
     if (times.seconds.empty()) {
-      row.insert(row.end(), 3, "-");
+      row.insert(row.end(), 4, "-");
     } else {
       row.push_back(fixed_number(seconds_of(times), 3));
       row.push_back(fixed_number(*std::min_element(times.seconds.begin(), times.seconds.end()), 3));
+      row.push_back(fixed_number(median(times.cpu_seconds), 3));
       row.push_back(fixed_number(evaluations / seconds_of(times), 0));
     }
     for (const SpeedTimes* peer : peers) row.push_back(ratio(*peer, times));

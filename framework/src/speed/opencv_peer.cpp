@@ -3,11 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <opencv2/calib3d.hpp>
 
+#include "speed/clocks.hpp"
 #include "xgm/base/error.hpp"
-#include "xgm/bench_speed.hpp"
 
 namespace xgm {
 namespace {
@@ -56,15 +55,17 @@ OpenCvPeer::OpenCvPeer(const ImagePair& pair, Interval disparities)
       right_(to_8bit_grey(pair.match)),
       searched_{disparities.begin, disparities.begin + (disparities.size() + 15) / 16 * 16} {}
 
-double OpenCvPeer::run(const std::string& mode, int threads) const {
+RunSeconds OpenCvPeer::run(const std::string& mode, int threads) const {
   // It holds sixteenths of a pixel in 16 bits, and matches only pixels that have all disparities.
   if (searched_.begin <= -2048 || searched_.end > 2047) {
     throw Error("knows disparities from -2047 to 2046 only");
   }
-  if (std::max(searched_.end, 0) - std::min(searched_.begin, 0) + 5 >= left_.cols) {
+  constexpr int kBlock = 5, kPreFilterCap = 63, kCheck = 1;
+  const int skipped = std::max(searched_.end, 0) - std::min(searched_.begin, 0);
+  if (left_.rows < kBlock) throw Error("needs images of 5 rows at least");
+  if (left_.cols < skipped + kBlock) {
     throw Error("skips all columns of images that are no wider than the search range");
   }
-  constexpr int kBlock = 5, kPreFilterCap = 63, kCheck = 1;
   const auto matcher = cv::StereoSGBM::create(searched_.begin, searched_.size(), kBlock,
                                               8 * kBlock * kBlock, 32 * kBlock * kBlock, kCheck,
                                               kPreFilterCap, 0, 0, 0, find_mode(mode).value);
@@ -72,11 +73,11 @@ double OpenCvPeer::run(const std::string& mode, int threads) const {
   // OpenCV's scheduler complains of more threads than there are processors.
   cv::setNumThreads(std::min(threads, cv::getNumberOfCPUs()));
   cv::Mat disparities;
-  const auto start = std::chrono::steady_clock::now();
+  const Clocks clocks;
   matcher->compute(left_, right_, disparities);
-  const auto end = std::chrono::steady_clock::now();
+  const RunSeconds seconds = clocks.seconds();
   cv::setNumThreads(before);
-  return std::chrono::duration<double>(end - start).count();
+  return seconds;
 }
 
 std::string peer_name(const std::string& mode) { return find_mode(mode).title; }

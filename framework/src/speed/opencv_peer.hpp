@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "xgm/bench_speed.hpp"
 #include "xgm/data/match.hpp"
 
 namespace xgm::speed {
@@ -13,9 +14,9 @@ class OpenCvPeer {
  public:
   OpenCvPeer(const ImagePair& pair, Interval disparities);
 
-  /// Seconds of one run of a mode. Throws Error if this mode is not known, the disparities are none
+  /// Times one run of a mode. Throws Error if this mode is not known, the disparities are none
   /// that OpenCV knows, or it fails.
-  double run(const std::string& mode, int threads) const;
+  RunSeconds run(const std::string& mode, int threads) const;
 
  private:
   cv::Mat1b left_, right_;

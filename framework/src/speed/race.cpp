@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The rounds of a race, and what its clocks say.
-#include <chrono>
 #include <exception>
 
+#include "speed/clocks.hpp"
 #include "speed/opencv_peer.hpp"
 #include "speed/stage_clock.hpp"
 #include "xgm/base/error.hpp"
@@ -24,6 +24,11 @@ class SimdRestored {
   std::string before_ = simd_target();
 };
 
+void add_run(SpeedTimes& times, const RunSeconds& seconds) {
+  times.seconds.push_back(seconds.wall);
+  times.cpu_seconds.push_back(seconds.cpu);
+}
+
 void add_stages(SpeedTimes& times, const speed::StageClock& clock, double seconds) {
   const std::size_t count = clock.totals().size();
   if (times.stages.empty()) {
@@ -42,11 +47,11 @@ void run_pipeline(SpeedTimes& times, const Pipeline& pipeline, const MatchReques
                   int threads) {
   use_simd(times.simd);
   speed::StageClock clock;
-  const auto start = std::chrono::steady_clock::now();
+  const speed::Clocks clocks;
   const MatchResult result = pipeline.run(request, clock, threads);
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  times.seconds.push_back(taken.count());
-  add_stages(times, clock, taken.count());
+  const RunSeconds seconds = clocks.seconds();
+  add_run(times, seconds);
+  add_stages(times, clock, seconds.wall);
 }
 
 /// That a peer cannot do what is asked is worth a note, not the end of the race.
@@ -54,7 +59,7 @@ void run_peer(SpeedTimes& times, const std::string& mode, const speed::OpenCvPee
               int threads) {
   if (!times.failure.empty()) return;
   try {
-    times.seconds.push_back(peer.run(mode, threads));
+    add_run(times, peer.run(mode, threads));
   } catch (const Error& error) {
     times.failure = error.message();
   } catch (const std::exception& error) {

@@ -32,16 +32,15 @@ using Pass = std::function<void(const Buffers&)>;
 
 /// `moved`: how many of the buffer's bytes a pass reads and writes.
 void add_pass(const std::string& name, int moved, const Pass& pass) {
-  benchmark::RegisterBenchmark(
-      ("memory/" + name).c_str(),
-      [=](benchmark::State& state) {
-        const Buffers buffers;
-        for (auto _ : state) {
-          pass(buffers);
-          benchmark::ClobberMemory();
-        }
-        state.SetBytesProcessed(state.iterations() * moved * static_cast<std::int64_t>(kBytes));
-      })
+  benchmark::RegisterBenchmark(("memory/" + name).c_str(),
+                               [=](benchmark::State& state) {
+                                 const Buffers buffers;
+                                 for (auto _ : state) {
+                                   pass(buffers);
+                                   benchmark::ClobberMemory();
+                                 }
+                                 count(state, "bytes", moved * static_cast<std::int64_t>(kBytes));
+                               })
       ->Threads(1)
       ->Threads(2)
       ->UseRealTime()
