@@ -32,16 +32,17 @@ using Pass = std::function<void(const Buffers&)>;
 
 /// `moved`: how many of the buffer's bytes a pass reads and writes.
 void add_pass(const std::string& name, int moved, const Pass& pass) {
-  benchmark::RegisterBenchmark(("memory/" + name).c_str(),
-                               [=](benchmark::State& state) {
-                                 const Buffers buffers;
-                                 for (auto _ : state) {
-                                   pass(buffers);
-                                   benchmark::ClobberMemory();
-                                 }
-                                 count(state, "bytes", moved * static_cast<std::int64_t>(kBytes));
-                               })
-      ->Threads(1)
+  const auto run = [=](benchmark::State& state) {
+    const Buffers buffers;
+    for (auto _ : state) {
+      pass(buffers);
+      benchmark::ClobberMemory();
+    }
+    count(state, "bytes", moved * static_cast<std::int64_t>(kBytes));
+  };
+  const std::string title = "memory/" + name;
+  benchmark::RegisterBenchmark(title.c_str(), run)->Unit(benchmark::kMillisecond);
+  benchmark::RegisterBenchmark(title.c_str(), run)
       ->Threads(2)
       ->UseRealTime()
       ->Unit(benchmark::kMillisecond);
