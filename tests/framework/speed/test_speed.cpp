@@ -85,10 +85,10 @@ TEST_CASE("tables have medians, evaluations per second, ratios and shares") {
   const std::string text = speed_markdown(known_result());
   CAPTURE(text);
   CHECK(contains(text, "1000 x 500 px, 20 disparities, 2 threads, medians of 3 rounds\n"));
-  CHECK(
-      contains(text, "| ours       | avx2    | 0.500 |   0.250 | 0.750 |    20 | 4.00 |     - |\n"));
-  CHECK(
-      contains(text, "| OpenCV HH  | its own | 2.000 |   1.000 | 2.000 |     5 | 1.00 |     - |\n"));
+  CHECK(contains(text,
+                 "| ours       | avx2    | 0.500 |   0.250 | 0.750 |    20 | 4.00 |     - |\n"));
+  CHECK(contains(text,
+                 "| OpenCV HH  | its own | 2.000 |   1.000 | 2.000 |     5 | 1.00 |     - |\n"));
   CHECK(contains(text, "OpenCV HH4 was not timed: too small\n"));
   CHECK(contains(text, "| cost census           | 0.100 | 25.0 |\n"));
   CHECK(contains(text, "| aggregation sgm       | 0.300 | 75.0 |\n"));
