@@ -65,6 +65,7 @@ int main(int argc, char** argv) {
   add_scenes(app, call);
   add_synth(app, call);
   add_explain(app, call);
+  add_speed(app, call);
   try {
     if (const char* target = std::getenv("XGM_SIMD")) use_simd(target);
     require_known_names(app, call.arguments);
