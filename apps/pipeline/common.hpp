@@ -41,6 +41,7 @@ void add_scenes(CLI::App& app, Invocation& call);
 void add_synth(CLI::App& app, Invocation& call);
 void add_explain(CLI::App& app, Invocation& call);
 void add_plan(CLI::App& app, Invocation& call);
+void add_speed(CLI::App& app, Invocation& call);
 
 struct PluginOptions {
   std::vector<std::string> files;  ///< --plugin

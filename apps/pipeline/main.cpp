@@ -66,6 +66,7 @@ int main(int argc, char** argv) {
   add_synth(app, call);
   add_explain(app, call);
   add_plan(app, call);
+  add_speed(app, call);
   try {
     if (const char* target = std::getenv("XGM_SIMD")) use_simd(target);
     require_known_names(app, call.arguments);

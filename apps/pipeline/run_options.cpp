@@ -47,14 +47,17 @@ CLI::Option* add_images(CLI::App& command, RunOptions& options) {
   return left;
 }
 
+CLI::Option* add_interval(CLI::App& command, RunOptions& options) {
+  return command
+      .add_option("--disparities", options.disparities,
+                  "Smallest and largest disparity to search, both included, px: 0:63, -64:64. "
+                  "Without it: what the data set says (ndisp of calib.txt), else "
+                  "'disparities' of the pipeline")
+      ->type_name("MIN:MAX");
+}
+
 void add_search(CLI::App& command, RunOptions& options) {
-  auto* interval =
-      command
-          .add_option("--disparities", options.disparities,
-                      "Smallest and largest disparity to search, both included, px: 0:63, -64:64. "
-                      "Without it: what the data set says (ndisp of calib.txt), else "
-                      "'disparities' of the pipeline")
-          ->type_name("MIN:MAX");
+  auto* interval = add_interval(command, options);
   command
       .add_option("--range-maps", options.range_maps,
                   "Smallest and largest disparity of every pixel, both included: two PFM files; "
@@ -180,6 +183,20 @@ void add_plan_options(CLI::App& command, RunOptions& options, std::string& size)
       ->type_name("WxH")
       ->excludes(scene)
       ->excludes(images);
+  add_matching(command, options);
+  add_surroundings(command, options);
+}
+
+void add_speed_options(CLI::App& command, RunOptions& options) {
+  command
+      .add_option("pipelines", options.pipeline,
+                  "Pipeline files or names of shipped ones, separated by commas")
+      ->type_name("PIPELINE,...")
+      ->required();
+  auto* scene = add_scene(command, options);
+  add_scene_choice(command, options, scene);
+  add_images(command, options)->excludes(scene);
+  add_interval(command, options);
   add_matching(command, options);
   add_surroundings(command, options);
 }

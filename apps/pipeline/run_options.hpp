@@ -39,6 +39,8 @@ struct RunOptions {
 void add_run_options(CLI::App& command, RunOptions& options);
 /// The same but for what is written; `place` takes "[SCENE_DIR] X Y".
 void add_explain_options(CLI::App& command, RunOptions& options, std::vector<std::string>& place);
+/// What they match, and nothing that is written; `pipeline` takes several, separated by commas.
+void add_speed_options(CLI::App& command, RunOptions& options);
 
 /// Those of a run that matter to its memory and time, and --size.
 void add_plan_options(CLI::App& command, RunOptions& options, std::string& size);

@@ -30,8 +30,8 @@ using namespace xgm::testing;
 namespace {
 
 // What the guides call "your own images": a small pair with masks, truth and range maps, once as
-// files and once as a scene folder, a folder of two scenes with cameras; and in build/ the plugins
-// of the example project.
+// files and once as a scene folder, a folder of two scenes with cameras; what stands for the pairs
+// of docs/performance.md; and in build/ the plugins of the example project.
 void write_inputs(const TemporaryFolder& folder) {
   const SyntheticScene scene = make_scene({});
   const cv::Mat1b everywhere(scene.pair.size(), 255);
@@ -58,7 +58,15 @@ void write_inputs(const TemporaryFolder& folder) {
   write_pfm(folder / "truth.pfm", scene.truth);
   write_pfm(folder / "min.pfm", cv::Mat1f(scene.truth - 4));
   write_pfm(folder / "max.pfm", cv::Mat1f(scene.truth + 4));
-  std::filesystem::create_directory_symlink(XGM_EXAMPLE_PLUGINS, folder / "build");
+  std::filesystem::create_directory_symlink(folder / "scene", folder / "motorcycle");
+  std::filesystem::create_directory_symlink(XGM_SOURCE_DIR "/tests", folder / "tests");
+  std::filesystem::create_directories(folder / "build/aloe");
+  std::filesystem::copy(folder / "left.png", folder / "build/aloe/aloeL.jpg");
+  std::filesystem::copy(folder / "right.png", folder / "build/aloe/aloeR.jpg");
+  for (const auto& entry : std::filesystem::directory_iterator(XGM_EXAMPLE_PLUGINS)) {
+    const std::string name = "build/" + entry.path().filename().string();
+    std::filesystem::create_symlink(entry.path(), folder / name);
+  }
 }
 
 Registry registry_with_examples() {

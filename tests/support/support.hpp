@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "xgm/pipeline.hpp"
 #include "xgm/plugin.hpp"
@@ -37,6 +38,19 @@ DisparityRange random_range(cv::Size size, Interval hull, std::uint64_t seed);
 /// Bitwise equality of two maps, NaN equal to NaN.
 bool identical(const DisparityMap& a, const DisparityMap& b);
 /// Bitwise equality of cells.
+/// All cells of a volume, pixel by pixel.
+template <class Cell>
+std::vector<Cell> all_cells(const Volume<Cell>& volume) {
+  std::vector<Cell> all;
+  for (int y = 0; y < volume.shape().height(); ++y) {
+    for (int x = 0; x < volume.shape().width(); ++x) {
+      const auto slice = volume.cells(y, x);
+      all.insert(all.end(), slice.begin(), slice.end());
+    }
+  }
+  return all;
+}
+
 bool identical(const CostVolume& a, const CostVolume& b);
 bool identical(const AggregatedVolume& a, const AggregatedVolume& b);
 

@@ -12,9 +12,7 @@ VolumeShape::VolumeShape(const DisparityRange& range, const cv::Mat1b& valid)
   CV_Assert(valid.empty() || valid.size() == size_);
   const auto rows = static_cast<std::size_t>(height());
   const std::size_t pixels = rows * static_cast<std::size_t>(width());
-  begin_.resize(pixels);
-  count_.resize(pixels);
-  start_.resize(pixels);
+  slices_.resize(pixels);
   row_.assign(rows + 1, 0);
   std::vector<Interval> hulls(rows);
   std::vector<int> max_counts(rows);
@@ -25,10 +23,8 @@ VolumeShape::VolumeShape(const DisparityRange& range, const cv::Mat1b& valid)
     for (int x = 0; x < width(); ++x) {
       const bool used = valid.empty() || valid(y, x) != 0;
       const Interval interval = used ? range.at(y, x) : Interval{};
-      const std::size_t i = index(y, x);
-      begin_[i] = interval.begin;
-      count_[i] = interval.size();
-      start_[i] = granules;
+      slices_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width()) +
+              static_cast<std::size_t>(x)] = {interval.begin, interval.size(), granules};
       granules += static_cast<std::uint32_t>(rounded_up(interval.size()) / kGranule);
       max_count = std::max(max_count, interval.size());
       hull = unite(hull, interval);
@@ -46,8 +42,7 @@ VolumeShape::VolumeShape(const DisparityRange& range, const cv::Mat1b& valid)
 }
 
 std::size_t VolumeShape::bytes() const {
-  return begin_.size() * (sizeof(begin_[0]) + sizeof(count_[0]) + sizeof(start_[0])) +
-         row_.size() * sizeof(row_[0]);
+  return slices_.size() * sizeof(Slice) + row_.size() * sizeof(row_[0]);
 }
 
 }  // namespace xgm

@@ -8,12 +8,16 @@
 
 namespace xgm {
 
+// The heap has holes: what is freed between blocks in use cannot go back to the system. Volumes do
+// not come from the heap.
+static constexpr double kHeapHoles = 1.1;
+
 void PlanLedger::add(double more_others, double more_volumes) {
   others += more_others;
   volumes += more_volumes;
   most_volumes = std::max(most_volumes, volumes);
   for (const std::size_t row : open) {
-    stages[row].memory = std::max(stages[row].memory, others + most_volumes);
+    stages[row].memory = std::max(stages[row].memory, kHeapHoles * others + most_volumes);
   }
 }
 

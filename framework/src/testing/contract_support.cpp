@@ -121,7 +121,12 @@ template <class Cell>
 Bytes bytes_of_cells(const Volume<Cell>& volume, int extra) {
   Bytes bytes;
   append(bytes, &extra, sizeof extra);
-  append(bytes, volume.data(), volume.bytes());
+  for (int y = 0; y < volume.shape().height(); ++y) {
+    for (int x = 0; x < volume.shape().width(); ++x) {
+      const auto cells = volume.cells(y, x);
+      append(bytes, cells.data(), cells.size_bytes());
+    }
+  }
   return bytes;
 }
 

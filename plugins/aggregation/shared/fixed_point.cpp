@@ -2,16 +2,15 @@
 #include "plugins/aggregation/shared/fixed_point.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <string>
 
+#include "plugins/aggregation/shared/pixel_step.hpp"
 #include "xgm/base/error.hpp"
 
 namespace xgm::aggregation {
 namespace {
 
 constexpr std::int64_t kLargestSum = AggregatedVolume::kNoMatch - 1;
-constexpr std::int64_t kLargest16BitCell = std::numeric_limits<std::uint16_t>::max();
 
 std::int64_t largest_sum(const Bounds& bounds) {
   return std::int64_t{bounds.cost_weight} * bounds.max_cost +
@@ -46,7 +45,7 @@ Bounds find_bounds(const CostVolume& costs, const PenaltyField& penalties,
   return bounds;
 }
 
-FractionBits choose_fraction_bits(const Bounds& bounds) {
+int choose_fraction_bits(const Bounds& bounds) {
   const std::int64_t sum = largest_sum(bounds);
   if (sum > kLargestSum) {
     const std::int64_t room = kLargestSum - std::int64_t{bounds.cost_weight} * bounds.max_cost;
@@ -54,16 +53,16 @@ FractionBits choose_fraction_bits(const Bounds& bounds) {
                 std::to_string(bounds.p2) + " do not fit 16 bit; lower P2 to at most " +
                 std::to_string(room / bounds.paths) + ", or take fewer directions");
   }
-  FractionBits bits;
-  if (!bounds.has_means || sum == 0) return bits;
-  while (sum << (bits.sums + 1) <= kLargestSum) ++bits.sums;
-  bits.paths = bits.sums;
-  while (fits_path_costs(bounds, std::int64_t{2} << bits.paths, kLargest16BitCell)) ++bits.paths;
-  return bits;
+  if (!bounds.has_means || sum == 0) return 0;
+  int most = 0;
+  while (sum << (most + 1) <= kLargestSum) ++most;
+  int bits8 = 0;
+  while (bits8 < most && fits_path_costs(bounds, bits8 + 1, kInfinite<std::uint8_t>)) ++bits8;
+  return bits8 > 0 ? bits8 : most;
 }
 
-bool fits_path_costs(const Bounds& bounds, std::int64_t unit, std::int64_t largest_cell) {
-  return unit * (bounds.max_cost + 2 * std::int64_t{bounds.p2} + bounds.p1) < largest_cell;
+bool fits_path_costs(const Bounds& bounds, int fraction_bits, int infinite) {
+  return (std::int64_t{bounds.max_cost} + bounds.p2) << fraction_bits < infinite;
 }
 
 }  // namespace xgm::aggregation

@@ -8,45 +8,47 @@
 namespace xgm::aggregation {
 namespace {
 
-constexpr int kLinesLookedBack = 2;
+constexpr int kPixelsFetchedAhead = 4;
+constexpr int kGranule = VolumeShape::kGranule;
+
+int rounded_up(int count) { return (count + kGranule - 1) / kGranule * kGranule; }
 
 }  // namespace
 
 template <class Cell>
-PassRunner<Cell>::Scratch::Scratch(int max_count) {
-  const auto count = static_cast<std::size_t>(max_count);
-  sum.resize(count);
-  for (OfStep& step : of_step) {
-    step.joined.resize(count + 2);
-    step.p1.resize(count);
-    step.p2.resize(count);
-  }
-}
-
-template <class Cell>
 PassRunner<Cell>::PassRunner(const CostVolume& costs, const PenaltyField& penalties,
-                             const Pass& pass, const PathArithmetic<Cell>& arithmetic,
-                             AggregatedVolume& sums)
+                             const Pass& pass, PassStep step, AggregatedVolume& sums)
     : costs_(costs),
       shape_(costs.shape()),
       sums_(sums),
-      arithmetic_(arithmetic),
+      step_(step),
       frame_(shape_.size(), pass.along, pass.across),
       lines_(shape_, frame_, static_cast<int>(pass.paths.size()),
-             std::min(thread_count() + kLinesLookedBack, frame_.lines()), arithmetic.infinite),
-      scratch_(static_cast<std::size_t>(lines_.slots()), Scratch(shape_.max_count())) {
+             std::min(thread_count() + kLinesLookedBack, frame_.lines())),
+      // A slice, a granule before it, and what copying whole granules writes behind it.
+      scratch_stride_(rounded_up(shape_.max_count()) + 3 * kGranule) {
   const int penalty_slots = frame_.lines_are_rows() ? lines_.slots() : shape_.height();
+  step_.paths = static_cast<int>(pass.paths.size());
+  step_.terms = static_cast<int>(pass.paths.front().steps.size());
   for (const Path& path : pass.paths) {
-    std::vector<Step>& steps = paths_.emplace_back();
-    for (const Direction x : path.steps)
-      steps.push_back({pixels_along(x, pass.along),
-                       lines_across(x, pass.across),
-                       {penalties, x, penalty_slots, shape_.width(), arithmetic.unit}});
+    for (const Direction x : path.steps) {
+      steps_.push_back({pixels_along(x, pass.along), lines_across(x, pass.across),
+                        StepPenalties<Cell>(penalties, x, penalty_slots, shape_.width(),
+                                            shape_.hull(), 1 << step.bits)});
+      step_.match_classes = std::max(step_.match_classes, steps_.back().penalties.match_classes());
+      same_penalties_ = same_penalties_ && steps_.back().penalties.same_everywhere();
+    }
   }
+  const auto stride = static_cast<std::size_t>(scratch_stride_);
+  nothing_.assign(stride, 0);
+  no_classes_.assign(stride, 0);
+  scratch_.assign(static_cast<std::size_t>(lines_.slots()),
+                  std::vector<Cell>(stride * kMostPaths * kMostTerms));
+  extend_ = choose_extend_paths<Cell>(step_);
 }
 
 template <class Cell>
-void PassRunner<Cell>::run(bool first_pass, LineProgress& progress) {
+void PassRunner<Cell>::run(LineProgress& progress) {
   ExceptionKeeper keeper;
   // Rows of penalty classes are asked for row by row. A pass along columns crosses all rows with
   // each line, so that it needs them all beforehand.
@@ -56,7 +58,8 @@ void PassRunner<Cell>::run(bool first_pass, LineProgress& progress) {
     keeper.run([&] {
       if (first == 0 && frame_.lines_are_rows())
         load_penalties(lines_.slot(v), frame_.pixel(0, v).y);
-      for (int u = first; u < last; ++u) visit(pixel(u, v), first_pass);
+      Line line = begin_line(v);
+      for (int u = first; u < last; ++u) visit(line, u);
       if (last == frame_.length()) progress.line_finished();
     });
   });
@@ -67,102 +70,124 @@ void PassRunner<Cell>::run(bool first_pass, LineProgress& progress) {
 template <class Cell>
 int PassRunner<Cell>::lag() const {
   int lag = 0;
-  for (const std::vector<Step>& path : paths_)
-    for (const Step& step : path)
-      if (step.across > 0) lag = std::max(lag, (-step.along + step.across - 1) / step.across);
+  for (const Step& step : steps_)
+    if (step.across > 0) lag = std::max(lag, (-step.along + step.across - 1) / step.across);
   return lag;
 }
 
 template <class Cell>
 void PassRunner<Cell>::load_penalties(int slot, int y) {
-  for (std::vector<Step>& path : paths_)
-    for (Step& step : path) step.penalties.load(slot, y);
+  for (Step& step : steps_) step.penalties.load(slot, y);
 }
 
 template <class Cell>
-auto PassRunner<Cell>::pixel(int u, int v) const -> Pixel {
-  const cv::Point at = frame_.pixel(u, v);
-  return {u,
-          v,
-          at,
-          shape_.begin(at.y, at.x),
-          shape_.count(at.y, at.x),
-          frame_.lines_are_rows() ? lines_.slot(v) : at.y};
+auto PassRunner<Cell>::begin_line(int v) -> Line {
+  Line line{};
+  const int slot = lines_.slot(v);
+  line.v = v;
+  for (int i = 0; i <= kLinesLookedBack && i <= v; ++i) line.back[i] = lines_.line(v - i);
+  line.penalty_slot = frame_.lines_are_rows() ? slot : -1;
+  line.scratch = scratch_[static_cast<std::size_t>(slot)].data();
+  if (same_penalties_) find_penalties(line, {0, 0});
+  return line;
 }
 
 template <class Cell>
-void PassRunner<Cell>::visit(const Pixel& p, bool first_pass) {
-  Scratch& scratch = scratch_[static_cast<std::size_t>(lines_.slot(p.v))];
-  lines_.open(p.u, p.v, p.count);
-  std::fill_n(scratch.sum.begin(), p.count, PassSum<Cell>{0});
-  for (int path = 0; path < static_cast<int>(paths_.size()); ++path) extend_path(p, path, scratch);
-
-  std::uint16_t* const sums = sums_.at(p.at.y, p.at.x);
-  if (first_pass)
-    write_sums(costs_.at(p.at.y, p.at.x), scratch.sum.data(), p.count, arithmetic_.extra_bits,
-               arithmetic_.cost_unit, sums);
-  else
-    add_sums(scratch.sum.data(), p.count, arithmetic_.extra_bits, sums);
+void PassRunner<Cell>::visit(Line& line, int u) {
+  const cv::Point at = frame_.pixel(u, line.v);
+  const VolumeShape::Slice& slice = shape_.slice(at.y, at.x);
+  const int room = VolumeShape::rounded_up(slice.count);
+  Pixel& pixel = lines_.open(u, line.v, slice.begin, room);
+  if (room == 0) return;
+  PixelStep<Cell>& step = line.step;
+  const std::int64_t offset = shape_.offset(at.y, slice);
+  step.cost = costs_.data() + offset;
+  step.sums = sums_.data() + offset;
+  const cv::Point next =
+      frame_.pixel(std::min(u + kPixelsFetchedAhead, frame_.length() - 1), line.v);
+  const std::int64_t next_offset = shape_.offset(next.y, next.x);
+  step.next_cost = costs_.data() + next_offset;
+  step.next_sums = sums_.data() + next_offset;
+  step.count = slice.count;
+  step.room = room;
+  if (!same_penalties_ || line.has_doubles) find_penalties(line, at);
+  find_terms(line, u, pixel);
+  pixel.counts = extend_(step_, step);
 }
 
 template <class Cell>
-void PassRunner<Cell>::extend_path(const Pixel& p, int path, Scratch& scratch) {
-  Previous previous[2];
-  int found = 0;
-  for (const Step& step : paths_[static_cast<std::size_t>(path)])
-    if (const auto here = look_back(p, step, path, scratch.of_step[found].joined))
-      previous[found++] = *here;
-  const PathCosts<Cell> extended = lines_.costs(p.u, p.v, path, p.count);
-  *extended.least = extend_from(p, previous, found, extended.cells, scratch);
+void PassRunner<Cell>::find_penalties(Line& line, cv::Point at) const {
+  const int slot = line.penalty_slot < 0 ? at.y : line.penalty_slot;
+  const Step* step = steps_.data();
+  for (int path = 0; path < step_.paths; ++path) {
+    for (int i = 0; i < step_.terms; ++i, ++step) {
+      Term<Cell>& term = line.step.paths[path].terms[i];
+      term.classes = step->penalties.match_classes() == 1
+                         ? no_classes_.data()
+                         : step->penalties.classes(slot, at.x, shape_.begin(at.y, at.x));
+      term.p1 = step->penalties.p1(slot, at.x);
+      term.p2 = step->penalties.p2(slot, at.x);
+    }
+  }
 }
 
-/// Nothing if there is no p - x, or no match for it at all.
+/// A term that does not count is replaced by the other one, whose mean with itself it is; if none
+/// counts, both bring nothing.
 template <class Cell>
-auto PassRunner<Cell>::look_back(const Pixel& p, const Step& step, int path,
-                                 std::vector<Cell>& joined) -> std::optional<Previous> {
-  const int u = p.u - step.along, v = p.v - step.across;
-  if (u < 0 || u >= frame_.length() || v < 0) return {};
-  const cv::Point at = frame_.pixel(u, v);
-  const int begin = shape_.begin(at.y, at.x), count = shape_.count(at.y, at.x);
-  const PathCosts<Cell> costs = lines_.costs(u, v, path, count);
-  if (*costs.least == lines_.infinite()) return {};
-
-  const int shift = p.begin - begin;
-  if (shift >= 0 && shift + p.count <= count)  // all of p's disparities, with neighbours
-    return Previous{costs.cells + shift, *costs.least, &step.penalties};
-  std::fill_n(joined.begin(), p.count + 2, lines_.infinite());
-  const int common_begin = std::max(p.begin - 1, begin);
-  const int common_end = std::min(p.begin + p.count + 1, begin + count);
-  if (common_begin < common_end)
-    std::copy(costs.cells + (common_begin - begin), costs.cells + (common_end - begin),
-              joined.begin() + (common_begin - (p.begin - 1)));
-  return Previous{joined.data() + 1, *costs.least, &step.penalties};
+void PassRunner<Cell>::find_terms(Line& line, int u, const Pixel& pixel) const {
+  Cell* scratch = line.scratch;
+  const Step* step = steps_.data();
+  line.has_doubles = false;
+  for (int path = 0; path < step_.paths; ++path) {
+    Extension<Cell>& extension = line.step.paths[path];
+    extension.costs = pixel.cells + std::ptrdiff_t{pixel.stride} * path;
+    const Term<Cell>* counting = nullptr;
+    for (int i = 0; i < step_.terms; ++i, ++step) {
+      Term<Cell>& term = extension.terms[i];
+      const Pixel* const previous = look_back(line, u, *step);
+      term.previous = nullptr;
+      if (previous == nullptr) continue;
+      const Cell* const cells = previous->cells + std::ptrdiff_t{previous->stride} * path;
+      term.previous = joined(pixel, *previous, cells, scratch);
+      scratch += scratch_stride_;
+      counting = &term;
+    }
+    for (int i = 0; i < step_.terms; ++i) {
+      Term<Cell>& term = extension.terms[i];
+      if (term.previous != nullptr) continue;
+      if (counting == nullptr) {
+        term.previous = nothing_.data() + kGranule;
+      } else {
+        term = *counting;
+        line.has_doubles = true;
+      }
+    }
+  }
 }
 
-/// Returns the least of the new path costs.
+/// nullptr if there is no p - x, or no match for it at all.
 template <class Cell>
-Cell PassRunner<Cell>::extend_from(const Pixel& p, const Previous* previous, int count, Cell* path,
-                                   Scratch& scratch) const {
-  const auto extend_by = [&](auto term) {
-    return extend<Cell>(term, costs_.at(p.at.y, p.at.x), p.count, arithmetic_.unit,
-                        arithmetic_.infinite, path, scratch.sum.data());
-  };
-  const auto same_term = [&](int i) -> Term<Cell, SamePenalties<Cell>> {
-    return {previous[i].cells, previous[i].least,
-            previous[i].penalties->of_pixel(p.penalty_slot, p.at.x)};
-  };
-  const auto cell_term = [&](int i) -> Term<Cell, CellPenalties<Cell>> {
-    auto& [joined, p1, p2] = scratch.of_step[i];
-    previous[i].penalties->of_cells(p.penalty_slot, p.at.x, p.begin, p.count, p1.data(), p2.data());
-    return {previous[i].cells, previous[i].least, {p1.data(), p2.data()}};
-  };
-  if (count == 0) return extend_by(NoTerm<Cell>{});
-  const bool same = std::all_of(previous, previous + count, [](const Previous& each) {
-    return each.penalties->same_for_all_disparities();
-  });
-  if (count == 1) return same ? extend_by(same_term(0)) : extend_by(cell_term(0));
-  return same ? extend_by(MeanTerm<Cell, SamePenalties<Cell>>{same_term(0), same_term(1)})
-              : extend_by(MeanTerm<Cell, CellPenalties<Cell>>{cell_term(0), cell_term(1)});
+auto PassRunner<Cell>::look_back(const Line& line, int u, const Step& step) const -> const Pixel* {
+  const Pixel* const pixels = line.back[step.across];
+  const int before = u - step.along;
+  if (pixels == nullptr || before < 0 || before >= frame_.length()) return nullptr;
+  return pixels[before].counts ? pixels + before : nullptr;
+}
+
+/// The `cells` of p - x from the first disparity of p on: as they lie there, with the infinite ones
+/// on both sides, if these hold all that p looks at; else copied in between more infinite ones.
+template <class Cell>
+const Cell* PassRunner<Cell>::joined(const Pixel& pixel, const Pixel& previous, const Cell* cells,
+                                     Cell* scratch) const {
+  const int shift = pixel.begin - previous.begin;
+  const int begin = shift - 1, end = shift + pixel.room + 1;  // what p looks at
+  if (begin >= -kGranule && end <= previous.room + kGranule) return cells + shift;
+  Cell* const first = scratch + kGranule;
+  std::fill(first - kGranule, first + pixel.room + kGranule, kInfinite<Cell>);
+  // Whole granules: behind the last one there are infinite costs, too.
+  for (int i = std::max(0, begin); i < std::min(previous.room, end); i += kGranule)
+    std::copy_n(cells + i, kGranule, first + (i - shift));
+  return first;
 }
 
 template class PassRunner<std::uint8_t>;

@@ -3,29 +3,29 @@
 #include "plugins/cost/birchfield_tomasi/intensity_range.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 namespace xgm::birchfield_tomasi {
 
-IntensityRow intensity_row(const Image& image, std::size_t channel, int y) {
-  const cv::Mat1f& plane = image.planes[channel];
-  const auto halfway = [&](int x, int neighbour) {
-    const bool exists = neighbour >= 0 && neighbour < plane.cols && image.is_valid(y, neighbour);
-    return exists ? (plane(y, x) + plane(y, neighbour)) / 2 : plane(y, x);
-  };
-  IntensityRow row;
-  for (int x = 0; x < plane.cols; ++x) {
-    const auto [low, high] = std::minmax({halfway(x, x - 1), plane(y, x), halfway(x, x + 1)});
-    row.value.push_back(plane(y, x));
-    row.low.push_back(low);
-    row.high.push_back(high);
+cost::PixelRow<float> intensity_rows(const Image& image, int y, const cost::RowLayout& layout) {
+  const int width = image.size().width;
+  const auto channels = static_cast<int>(image.planes.size());
+  cost::PixelRow<float> row(image, y, channels * kIntensities, layout);
+  for (int c = 0; c < channels; ++c) {
+    const float* const level = image.planes[static_cast<std::size_t>(c)][y];
+    const auto halfway = [&](int x, int neighbour) {
+      const bool exists = neighbour >= 0 && neighbour < width && image.is_valid(y, neighbour);
+      return exists ? (level[x] + level[neighbour]) / 2 : level[x];
+    };
+    float* const value = row.plane(c * kIntensities + kValue);
+    float* const low = row.plane(c * kIntensities + kLow);
+    float* const high = row.plane(c * kIntensities + kHigh);
+    for (int x = 0; x < width; ++x) {
+      const int i = layout.mirrored ? width - 1 - x : x;
+      value[i] = level[x];
+      std::tie(low[i], high[i]) = std::minmax({halfway(x, x - 1), level[x], halfway(x, x + 1)});
+    }
   }
-  return row;
-}
-
-IntensityRow mirrored(IntensityRow row) {
-  std::reverse(row.value.begin(), row.value.end());
-  std::reverse(row.low.begin(), row.low.end());
-  std::reverse(row.high.begin(), row.high.end());
   return row;
 }
 

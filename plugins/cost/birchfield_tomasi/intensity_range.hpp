@@ -2,22 +2,15 @@
 // Which grey levels a pixel takes within half a pixel to the left and to the right.
 #pragma once
 
-#include <vector>
-
-#include "xgm/data/image.hpp"
+#include "plugins/cost/shared/candidates.hpp"
 
 namespace xgm::birchfield_tomasi {
 
-/// Grey levels of the pixels of a row, and the least and greatest that the linearly interpolated
-/// row takes within half a pixel of each.
-struct IntensityRow {
-  std::vector<float> value, low, high;
-};
+/// Planes of each channel: the grey level, and the least and greatest that the linearly
+/// interpolated row takes within half a pixel.
+enum Intensity { kValue, kLow, kHigh, kIntensities };
 
-/// Row y of one channel. Towards a neighbour that is masked or outside, the level stays the same.
-IntensityRow intensity_row(const Image& image, std::size_t channel, int y);
-
-/// The same row from right to left.
-IntensityRow mirrored(IntensityRow row);
+/// Row y of all channels. Towards a neighbour that is masked or outside, the level stays the same.
+cost::PixelRow<float> intensity_rows(const Image& image, int y, const cost::RowLayout& layout);
 
 }  // namespace xgm::birchfield_tomasi

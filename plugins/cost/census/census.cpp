@@ -32,16 +32,11 @@ class Census final : public xgm::Cost {
 
   xgm::CostVolume run(const xgm::ImagePair& images, const xgm::VolumeShapePtr& shape,
                       const xgm::Context&) const override {
-    const xgm::ImagePair pair = xgm::cost::comparable(images);
-    xgm::CostVolume costs(shape, window_.area() - 1);
-    xgm::parallel_for(0, shape->height(), [&](int y) {
-      const auto base = xgm::census::transform(pair.base, y, window_);
-      const auto match = xgm::census::mirrored(xgm::census::transform(pair.match, y, window_));
-      xgm::cost::fill_row(costs, pair.match.valid, y, [&](const xgm::cost::Candidates& candidates) {
-        xgm::census::hamming(base, match, candidates);
-      });
-    });
-    return costs;
+    const auto transform = [&](const xgm::Image& image, int y, const xgm::cost::RowLayout& layout) {
+      return xgm::census::transform(image, y, window_, layout);
+    };
+    return xgm::cost::compare_rows(images, shape, window_.area() - 1, transform,
+                                   xgm::census::hamming);
   }
 
  private:

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The census transform, offset by offset, so that the inner loop runs along the row.
+// The census transform, eight neighbours at a time, so that the inner loop runs along the row.
 #include "plugins/cost/census/transform.hpp"
 
 #include <algorithm>
 #include <limits>
+
+#include "plugins/cost/census/compare.hpp"
 
 namespace xgm::census {
 namespace {
@@ -11,52 +13,80 @@ namespace {
 // Brighter than any centre: what does not exist sets no bit.
 constexpr float kNothing = std::numeric_limits<float>::infinity();
 
-// Row y of a plane with `margin` pixels more on each side, kNothing where there is no pixel.
-void load_row(const Image& image, const cv::Mat1f& plane, int y, int margin,
-              std::vector<float>& row) {
-  row.assign(static_cast<std::size_t>(plane.cols + 2 * margin), kNothing);
-  if (y < 0 || y >= plane.rows) return;
-  for (int x = 0; x < plane.cols; ++x) {
-    if (image.is_valid(y, x)) row[static_cast<std::size_t>(x + margin)] = plane(y, x);
-  }
-}
+/// The rows around row y of one channel, kNothing where there is no pixel.
+class Neighbourhood {
+ public:
+  Neighbourhood(const Image& image, int y, cv::Size window, bool mirrored)
+      : image_(image),
+        y_(y),
+        radius_(window.width / 2, window.height / 2),
+        mirrored_(mirrored),
+        stride_(static_cast<std::size_t>(image.size().width + window.width)),
+        levels_(stride_ * static_cast<std::size_t>(window.height + 1), kNothing) {}
 
-void append_bit(const float* neighbours, const float* centres, int bit, Descriptors& row) {
-  std::uint64_t* const word = row.word(bit / 64);
-  const int shift = bit % 64;
-  for (int x = 0; x < row.width; ++x) {
-    word[x] |= static_cast<std::uint64_t>(neighbours[x] < centres[x]) << shift;
+  void load(const cv::Mat1f& plane) {
+    const int first = std::max(0, y_ - radius_.y);
+    const int last = std::min(plane.rows - 1, y_ + radius_.y);
+    for (int row = first; row <= last; ++row) load_row(plane[row], row);
   }
+
+  /// Grey level of the neighbour that pixel 0 has at this offset in the image.
+  const float* at(int dx, int dy) const { return pixel(dy + radius_.y) + (mirrored_ ? -dx : dx); }
+  /// A neighbour that does not exist.
+  const float* nothing() const { return pixel(2 * radius_.y + 1); }
+
+ private:
+  void load_row(const float* source, int row) {
+    const int width = image_.size().width;
+    float* const levels = levels_.data() + offset(row - y_ + radius_.y);
+    if (image_.valid.empty()) {
+      std::copy_n(source, width, levels);
+    } else {
+      const std::uint8_t* const valid = image_.valid[row];
+      for (int x = 0; x < width; ++x) {
+        const float level = source[x];
+        levels[x] = valid[x] != 0 ? level : kNothing;
+      }
+    }
+    if (mirrored_) std::reverse(levels, levels + width);
+  }
+  const float* pixel(int row) const { return levels_.data() + offset(row); }
+  std::size_t offset(int row) const {
+    return static_cast<std::size_t>(row) * stride_ + static_cast<std::size_t>(radius_.x);
+  }
+
+  const Image& image_;
+  int y_;
+  cv::Point radius_;
+  bool mirrored_;
+  std::size_t stride_;
+  std::vector<float> levels_;
+};
+
+std::vector<Neighbours> neighbours(const Neighbourhood& around, cv::Size window) {
+  std::vector<Neighbours> result;
+  int bit = 0;
+  for (int dy = -(window.height / 2); dy <= window.height / 2; ++dy) {
+    for (int dx = -(window.width / 2); dx <= window.width / 2; ++dx) {
+      if (dx == 0 && dy == 0) continue;
+      if (bit % 8 == 0) result.emplace_back().fill(around.nothing());
+      result.back()[static_cast<std::size_t>(bit++ % 8)] = around.at(dx, dy);
+    }
+  }
+  return result;
 }
 
 }  // namespace
 
-Descriptors transform(const Image& image, int y, cv::Size window) {
-  Descriptors row;
-  row.width = image.size().width;
-  row.channels = static_cast<int>(image.planes.size());
-  row.word_count = (row.channels * (window.area() - 1) + 63) / 64;
-  row.words.assign(static_cast<std::size_t>(row.word_count) * static_cast<std::size_t>(row.width),
-                   0);
-
-  const int radius_x = window.width / 2;
-  const int radius_y = window.height / 2;
-  std::vector<float> neighbours;
-  int bit = 0;
+Descriptors transform(const Image& image, int y, cv::Size window, const cost::RowLayout& layout) {
+  Neighbourhood around(image, y, window, layout.mirrored);
+  const std::vector<Neighbours> bytes = neighbours(around, window);
+  Descriptors row(image, y, static_cast<int>(image.planes.size() * bytes.size()), layout);
+  int k = 0;
   for (const cv::Mat1f& plane : image.planes) {
-    for (int dy = -radius_y; dy <= radius_y; ++dy) {
-      load_row(image, plane, y + dy, radius_x, neighbours);
-      for (int dx = -radius_x; dx <= radius_x; ++dx) {
-        if (dx == 0 && dy == 0) continue;
-        append_bit(neighbours.data() + radius_x + dx, plane[y], bit++, row);
-      }
-    }
+    around.load(plane);
+    for (const Neighbours& byte : bytes) compare(byte, around.at(0, 0), plane.cols, row.plane(k++));
   }
-  return row;
-}
-
-Descriptors mirrored(Descriptors row) {
-  for (int k = 0; k < row.word_count; ++k) std::reverse(row.word(k), row.word(k) + row.width);
   return row;
 }
 

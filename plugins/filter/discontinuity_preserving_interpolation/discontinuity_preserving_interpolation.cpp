@@ -19,17 +19,6 @@ using xgm::Status;
 
 constexpr std::size_t kMaxDirections = 16;
 
-/// Pixels without a disparity that have image data.
-cv::Mat1b fillable(const DisparityMap& map) {
-  cv::Mat1b mask(map.size(), 0);
-  for (int y = 0; y < mask.rows; ++y) {
-    for (int x = 0; x < mask.cols; ++x) {
-      mask(y, x) = !map.valid(y, x) && map.at(y, x) != Status::masked ? 255 : 0;
-    }
-  }
-  return mask;
-}
-
 class Interpolation final : public xgm::Filter {
  public:
   enum class Background { lowest, highest };
@@ -57,7 +46,7 @@ class Interpolation final : public xgm::Filter {
 
   DisparityMap run(const DisparityMap& map, const xgm::ImagePair& pair,
                    const xgm::Context&) const override {
-    const dpi::Holes holes(fillable(map));
+    const dpi::Holes holes(map);
     const cv::Mat1b occluded = dpi::occlusions(map, p_.spread_occlusions);
     const std::vector<cv::Point> steps = dpi::path_steps(p_.directions);
     std::vector<std::vector<float>> seen(steps.size());
@@ -68,10 +57,10 @@ class Interpolation final : public xgm::Filter {
     const bool far_is_low = (p_.background == Background::lowest) != pair.is_reverse;
     DisparityMap filled = map.clone();
     xgm::parallel_for(0, map.size().height, [&](int y) {
-      std::size_t hole = holes.row_begin[static_cast<std::size_t>(y)];
-      for (int x = 0; x < map.size().width; ++x) {
-        if (holes.mask(y, x) == 0) continue;
-        const float value = combine(seen, hole++, occluded(y, x) != 0, far_is_low);
+      const auto row = static_cast<std::size_t>(y);
+      for (std::size_t hole = holes.row_begin[row]; hole < holes.row_begin[row + 1]; ++hole) {
+        const int x = holes.column[hole];
+        const float value = combine(seen, hole, occluded(y, x) != 0, far_is_low);
         if (!std::isnan(value)) filled.set(y, x, value, Status::filled);
       }
     });

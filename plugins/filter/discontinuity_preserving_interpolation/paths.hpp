@@ -6,15 +6,18 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
+#include "xgm/data/disparity_map.hpp"
+
 namespace xgm::discontinuity_preserving_interpolation {
 
 /// The pixels to fill, numbered row by row: those of row y have the numbers from row_begin[y] to
 /// row_begin[y + 1].
 struct Holes {
-  explicit Holes(cv::Mat1b mask);
+  /// Pixels without a disparity that have image data.
+  explicit Holes(const DisparityMap& map);
 
-  cv::Mat1b mask;  ///< non-zero for a hole
   std::vector<std::size_t> row_begin;
+  std::vector<int> column;  ///< of each
 };
 
 /// Steps of the paths: 8 to the direct neighbours, or 16 with the knight's moves between them.

@@ -19,6 +19,8 @@ class Weights {
   int radius() const { return radius_; }
   /// The spatial factors of row dy, for dx = -radius to radius.
   const float* space_row(int dy) const { return space_[dy + radius_] + radius_; }
+  /// The factors of colour distances in steps of 1/kSteps; of larger distances it is zero.
+  const std::vector<float>& range() const { return range_; }
   /// Zero for distances too large to count, or NaN.
   int operator()(float space, float colour_distance) const {
     const float step = colour_distance * kSteps + 0.5F;

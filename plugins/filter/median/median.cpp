@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "plugins/filter/median/three_by_three.hpp"
 #include "xgm/plugin.hpp"
 
 namespace {
@@ -22,31 +23,12 @@ class Samples {
   }
   /// The middle value, the lower one of two: always a disparity that occurs.
   float lower_median() {
-    if (size_ == 9) return median_of_nine();
     const auto middle = values_.begin() + static_cast<std::ptrdiff_t>((size_ - 1) / 2);
     std::nth_element(values_.begin(), middle, values_.begin() + static_cast<std::ptrdiff_t>(size_));
     return *middle;
   }
 
  private:
-  /// The common case, a whole 3x3 window, without branches: sorts three columns; the median of the
-  /// nine is the median of the largest low, the middle middle and the smallest high value.
-  float median_of_nine() const {
-    std::array<float, 3> low{}, middle{}, high{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const float a = values_[i], b = values_[i + 3], c = values_[i + 6];
-      low[i] = std::min(std::min(a, b), c);
-      high[i] = std::max(std::max(a, b), c);
-      middle[i] = median_of_three(a, b, c);
-    }
-    return median_of_three(std::max(std::max(low[0], low[1]), low[2]),
-                           median_of_three(middle[0], middle[1], middle[2]),
-                           std::min(std::min(high[0], high[1]), high[2]));
-  }
-  static float median_of_three(float a, float b, float c) {
-    return std::max(std::min(a, b), std::min(std::max(a, b), c));
-  }
-
   std::array<float, std::size_t{kMaxWindow} * kMaxWindow + 1> values_;  // one to be overwritten
   std::size_t size_ = 0;
 };
@@ -69,19 +51,31 @@ class Median final : public xgm::Filter {
 
   xgm::DisparityMap run(const xgm::DisparityMap& map, const xgm::ImagePair&,
                         const xgm::Context&) const override {
-    xgm::DisparityMap filtered = map.clone();
-    xgm::parallel_for(0, map.size().height, [&](int y) {
-      Samples samples;
-      for (int x = 0; x < map.size().width; ++x) {
-        if (!map.valid(y, x)) continue;
-        collect(map.disparity, y, x, samples);
-        filtered.disparity(y, x) = samples.lower_median();
+    const cv::Size size = map.size();
+    xgm::DisparityMap filtered;
+    filtered.disparity.create(size);
+    filtered.status.create(size);
+    xgm::parallel_for(0, size.height, [&](int y) {
+      std::copy_n(map.status[y], size.width, filtered.status[y]);
+      if (radius_ == 1) {
+        xgm::median::three_by_three(map.disparity, y, filtered.disparity[y]);
+      } else {
+        filter_row(map.disparity, y, filtered.disparity[y]);
       }
     });
     return filtered;
   }
 
  private:
+  void filter_row(const cv::Mat1f& disparity, int y, float* result) const {
+    Samples samples;
+    for (int x = 0; x < disparity.cols; ++x) {
+      result[x] = disparity(y, x);
+      if (std::isnan(result[x])) continue;
+      collect(disparity, y, x, samples);
+      result[x] = samples.lower_median();
+    }
+  }
   void collect(const cv::Mat1f& disparity, int y, int x, Samples& samples) const {
     const int left = std::max(0, x - radius_), right = std::min(disparity.cols, x + radius_ + 1);
     const int bottom = std::min(disparity.rows, y + radius_ + 1);

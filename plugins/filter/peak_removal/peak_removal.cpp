@@ -26,15 +26,16 @@ class PeakRemoval final : public xgm::Filter {
 
   xgm::DisparityMap run(const xgm::DisparityMap& map, const xgm::ImagePair&,
                         const xgm::Context&) const override {
-    const cv::Mat1i sizes = xgm::peak_removal::segment_sizes(map.disparity, p_.max_difference);
+    const auto segments = xgm::peak_removal::find_segments(map.disparity, p_.max_difference);
     xgm::DisparityMap filtered = map.clone();
-    for (int y = 0; y < sizes.rows; ++y) {
-      for (int x = 0; x < sizes.cols; ++x) {
-        if (sizes(y, x) > 0 && sizes(y, x) < p_.min_size) {
-          filtered.invalidate(y, x, xgm::Status::peak);
-        }
+    xgm::parallel_for(0, map.size().height, [&](int y) {
+      const auto row = static_cast<std::size_t>(y);
+      for (std::size_t i = segments.row_begin[row]; i < segments.row_begin[row + 1]; ++i) {
+        const xgm::peak_removal::Run& run = segments.runs[i];
+        if (run.size >= p_.min_size) continue;
+        for (int x = run.begin; x < run.end; ++x) filtered.invalidate(y, x, xgm::Status::peak);
       }
-    }
+    });
     return filtered;
   }
 

@@ -22,19 +22,33 @@ void for_each_covered(cv::Size size, int coarse_y, int coarse_x, const Visit& vi
   }
 }
 
+/// Mean of the valid fine pixels that a coarse pixel covers, 0 if there are none.
+float mean_of_covered(const cv::Mat1f& fine, const Image& image, int y, int x) {
+  float sum = 0;
+  int voters = 0;
+  for_each_covered(fine.size(), y, x, [&](int fine_y, int fine_x) {
+    if (!image.is_valid(fine_y, fine_x)) return;
+    sum += fine(fine_y, fine_x);
+    ++voters;
+  });
+  return voters == 0 ? 0.F : sum / static_cast<float>(voters);
+}
+
+/// The same for the first n coarse pixels of a row, which cover four pixels each, all valid.
+void means_of_four(const float* upper, const float* lower, int n, float* coarse) {
+  for (int x = 0; x < n; ++x) {
+    const float sum = 0.F + upper[2 * x] + upper[2 * x + 1] + lower[2 * x] + lower[2 * x + 1];
+    coarse[x] = sum / 4;
+  }
+}
+
 cv::Mat1f halve(const cv::Mat1f& fine, const Image& image) {
   cv::Mat1f coarse(half_up(fine.size()));
   parallel_for(0, coarse.rows, [&](int y) {
-    for (int x = 0; x < coarse.cols; ++x) {
-      float sum = 0;
-      int voters = 0;
-      for_each_covered(fine.size(), y, x, [&](int fine_y, int fine_x) {
-        if (!image.is_valid(fine_y, fine_x)) return;
-        sum += fine(fine_y, fine_x);
-        ++voters;
-      });
-      coarse(y, x) = voters == 0 ? 0.F : sum / static_cast<float>(voters);
-    }
+    const bool simple = image.valid.empty() && 2 * y + 1 < fine.rows;
+    const int whole = simple ? fine.cols / 2 : 0;
+    if (simple) means_of_four(fine[2 * y], fine[2 * y + 1], whole, coarse[y]);
+    for (int x = whole; x < coarse.cols; ++x) coarse(y, x) = mean_of_covered(fine, image, y, x);
   });
   return coarse;
 }
@@ -57,12 +71,6 @@ Interval halve(Interval fine) {
   return {fine.begin >> 1, (fine.end >> 1) + 1};  // last = end - 1, and ceil(last / 2) = end >> 1
 }
 
-Interval hull(Interval a, Interval b) {
-  if (a.empty()) return b;
-  if (b.empty()) return a;
-  return {std::min(a.begin, b.begin), std::max(a.end, b.end)};
-}
-
 }  // namespace
 
 Image halve(const Image& fine) {
@@ -80,7 +88,7 @@ DisparityRange halve(const DisparityRange& fine) {
     for (int x = 0; x < size.width; ++x) {
       Interval all;
       for_each_covered(fine.size(), y, x,
-                       [&](int fine_y, int fine_x) { all = hull(all, fine.at(fine_y, fine_x)); });
+                       [&](int fine_y, int fine_x) { all = unite(all, fine.at(fine_y, fine_x)); });
       const Interval coarse = halve(all);
       begin(y, x) = coarse.begin;
       end(y, x) = coarse.end;

@@ -105,11 +105,12 @@ class SemiGlobal final : public xgm::Matcher {
 
   static void mark_masked(xgm::DisparityMap& map, const xgm::Image& base) {
     if (base.valid.empty()) return;
-    for (int y = 0; y < map.size().height; ++y) {
+    xgm::parallel_for(0, map.size().height, [&](int y) {
+      const std::uint8_t* const valid = base.valid[y];
       for (int x = 0; x < map.size().width; ++x) {
-        if (!base.is_valid(y, x)) map.invalidate(y, x, xgm::Status::masked);
+        if (valid[x] == 0) map.invalidate(y, x, xgm::Status::masked);
       }
-    }
+    });
   }
 
   Parameters stages_;

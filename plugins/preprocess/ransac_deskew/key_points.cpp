@@ -2,9 +2,13 @@
 #include "plugins/preprocess/ransac_deskew/key_points.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <opencv2/features2d.hpp>
 #include <opencv2/imgproc.hpp>
+
+#include "plugins/preprocess/ransac_deskew/descriptors.hpp"
+#include "xgm/base/parallel.hpp"
 
 namespace xgm::ransac_deskew {
 namespace {
@@ -18,10 +22,8 @@ constexpr double kContrast = 0.01;  // below SIFT's 0.04: dark images have key p
                                     // count keeps the strongest
 constexpr int kMaskMargin = 8;      // pixels; the edge of a mask is no feature of the scene
 
-struct KeyPoints {
-  std::vector<cv::Point2f> at;
-  cv::Mat1f descriptors;  // one row each
-};
+// Tiles searched at once, on as many threads: each needs some 300 MB.
+constexpr int kTilesAtOnce = 4;
 
 struct View {
   cv::Mat1b grey;
@@ -42,67 +44,77 @@ View prepare(const Image& image) {
   return view;
 }
 
-/// Adds the key points that lie in `tile` itself, seen with a margin around it.
-void detect_in_tile(const View& view, const cv::Rect& tile, cv::SIFT& sift, KeyPoints& found) {
+/// The key points that lie in `tile` itself, seen with a margin around it.
+KeyPoints detect_in_tile(const View& view, const cv::Rect& tile, int count) {
   const cv::Rect seen = cv::Rect(tile.x - kTileMargin, tile.y - kTileMargin,
                                  tile.width + 2 * kTileMargin, tile.height + 2 * kTileMargin) &
                         cv::Rect({0, 0}, view.grey.size());
   std::vector<cv::KeyPoint> points;
   cv::Mat1f descriptors;
-  sift.detectAndCompute(view.grey(seen), view.usable(seen), points, descriptors);
+  const auto sift = cv::SIFT::create(count, 3, kContrast);
+  sift->detectAndCompute(view.grey(seen), view.usable(seen), points, descriptors);
+  KeyPoints found;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const cv::Point2f at = points[i].pt + cv::Point2f(seen.tl());
-    if (!cv::Rect2f(tile).contains(at)) continue;
-    found.at.push_back(at);
-    found.descriptors.push_back(descriptors.row(static_cast<int>(i)));
-  }
-}
-
-KeyPoints detect(const Image& image, int count) {
-  KeyPoints found;
-  const cv::Size size = image.size();
-  if (std::min(size.width, size.height) < kSmallest) return found;
-  const View view = prepare(image);
-  const int columns = (size.width + kTile - 1) / kTile, rows = (size.height + kTile - 1) / kTile;
-  const auto sift = cv::SIFT::create(std::max(1, count / (columns * rows)), 3, kContrast);
-  for (int row = 0; row < rows; ++row) {
-    for (int column = 0; column < columns; ++column) {
-      const cv::Point from(size.width * column / columns, size.height * row / rows);
-      const cv::Point to(size.width * (column + 1) / columns, size.height * (row + 1) / rows);
-      detect_in_tile(view, {from, to}, *sift, found);
-    }
+    if (cv::Rect2f(tile).contains(at)) found.add(at, descriptors[static_cast<int>(i)]);
   }
   return found;
 }
 
-/// For each key point of `from` the best of `to`, or -1 if another is nearly as good.
-std::vector<int> best_matches(const KeyPoints& from, const KeyPoints& to, double ratio) {
-  std::vector<std::vector<cv::DMatch>> nearest;
-  cv::BFMatcher(cv::NORM_L2).knnMatch(from.descriptors, to.descriptors, nearest, 2);
-  std::vector<int> best(from.at.size(), -1);
-  for (const auto& two : nearest)
-    if (two.size() == 2 &&
-        static_cast<double>(two[0].distance) < ratio * static_cast<double>(two[1].distance))
-      best[static_cast<std::size_t>(two[0].queryIdx)] = two[0].trainIdx;
-  return best;
+/// The same tiles for every view of this size.
+std::vector<cv::Rect> tiles_of(cv::Size size) {
+  std::vector<cv::Rect> tiles;
+  const int columns = (size.width + kTile - 1) / kTile, rows = (size.height + kTile - 1) / kTile;
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      const cv::Point from(size.width * column / columns, size.height * row / rows);
+      const cv::Point to(size.width * (column + 1) / columns, size.height * (row + 1) / rows);
+      tiles.emplace_back(from, to);
+    }
+  }
+  return tiles;
+}
+
+/// Key points of both views, tile by tile.
+std::array<KeyPoints, 2> detect(const ImagePair& pair, int count) {
+  const std::vector<cv::Rect> tiles = tiles_of(pair.size());
+  const int each = static_cast<int>(tiles.size());
+  std::array<View, 2> views;
+  parallel_for(0, 2, [&](int i) { views[i != 0] = prepare(i == 0 ? pair.base : pair.match); });
+  std::vector<KeyPoints> parts(2 * tiles.size());
+  const ThreadLimit memory_limit(std::min(thread_count(), kTilesAtOnce));
+  parallel_for(0, 2 * each, [&](int i) {
+    parts[static_cast<std::size_t>(i)] = detect_in_tile(
+        views[i >= each], tiles[static_cast<std::size_t>(i % each)], std::max(1, count / each));
+  });
+  std::array<KeyPoints, 2> found;
+  for (std::size_t i = 0; i < parts.size(); ++i) found[i >= tiles.size()].add(parts[i]);
+  return found;
 }
 
 }  // namespace
 
 std::vector<Correspondence> match_key_points(const ImagePair& pair,
                                              const KeyPointOptions& options) {
-  const KeyPoints base = detect(pair.base, options.count);
-  const KeyPoints match = detect(pair.match, options.count);
+  const cv::Size size = pair.size();
+  if (std::min(size.width, size.height) < kSmallest) return {};
+  const auto [base, match] = detect(pair, options.count);
   std::vector<Correspondence> found;
-  if (base.at.size() < 2 || match.at.size() < 2) return found;
-  const std::vector<int> there = best_matches(base, match, options.ratio);
-  const std::vector<int> back = best_matches(match, base, options.ratio);
-  for (std::size_t i = 0; i < there.size(); ++i) {
-    if (there[i] < 0 || back[static_cast<std::size_t>(there[i])] != static_cast<int>(i)) continue;
-    const cv::Point2d p = base.at[i], q = match.at[static_cast<std::size_t>(there[i])];
+  for (const auto& [i, j] : mutual_matches(base, match, options.ratio)) {
+    const cv::Point2d p = base.at[i], q = match.at[j];
     if (std::abs(q.y - p.y) <= options.max_dy) found.push_back({q.x, p.y, q.y - p.y});
   }
   return found;
+}
+
+double key_point_bytes(cv::Size size, int threads) {
+  constexpr double kSiftBytesPerPixel = 310;  // measured
+  constexpr double kViewBytesPerPixel = 2;    // grey levels and mask, of both views
+  const std::vector<cv::Rect> tiles = tiles_of(size);
+  double largest = 0;
+  for (const cv::Rect& tile : tiles) largest = std::max(largest, double(tile.area()));
+  const int at_once = std::min({threads, kTilesAtOnce, 2 * static_cast<int>(tiles.size())});
+  return 2 * kViewBytesPerPixel * size.area() + at_once * kSiftBytesPerPixel * largest;
 }
 
 }  // namespace xgm::ransac_deskew

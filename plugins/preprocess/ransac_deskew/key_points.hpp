@@ -20,4 +20,7 @@ struct KeyPointOptions {
 /// and their surroundings are not looked at.
 std::vector<Correspondence> match_key_points(const ImagePair& pair, const KeyPointOptions& options);
 
+/// Memory that it takes, at most at one time.
+double key_point_bytes(cv::Size size, int threads);
+
 }  // namespace xgm::ransac_deskew

@@ -111,11 +111,10 @@ class RansacDeskew final : public xgm::Preprocess {
     return {pair.base, warp_rows(pair.match, model), pair.is_reverse};
   }
 
-  /// The base image stays as it is. SIFT takes most of the memory, a tile at a time.
+  /// The base image stays as it is.
   xgm::Needs needs(const xgm::Workload& load) const override {
-    constexpr double kTilePixels = 1088 * 1088, kBytesOfSift = 350;
     return {.others = load.image_bytes() + load.pixels(),
-            .working = 2 * load.pixels() + kBytesOfSift * std::min(load.pixels(), kTilePixels),
+            .working = xgm::ransac_deskew::key_point_bytes(load.size, load.threads),
             .updates = load.pixels()};
   }
 

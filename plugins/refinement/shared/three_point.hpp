@@ -2,7 +2,7 @@
 // What three-point sub-pixel fits share: finding S(d-1), S(d), S(d+1) and moving the disparity.
 #pragma once
 
-#include <cmath>
+#include <algorithm>
 
 #include "xgm/base/parallel.hpp"
 #include "xgm/data/disparity_map.hpp"
@@ -17,18 +17,25 @@ struct Rises {
   int above = 0;
 };
 
-/// Looks up the rises at `disparity`. False where no fit is possible: the disparity is no whole
-/// number, it or a neighbour is outside the pixel's range or kNoMatch, it is no minimum, or flat.
-inline bool find_rises(const AggregatedVolume& sums, int y, int x, float disparity, Rises& rises) {
-  const float whole = std::nearbyint(disparity);
+/// The cell of a whole disparity that has one on either side; null for any other, and for none.
+inline const std::uint16_t* inner_cell(const AggregatedVolume& sums, int y, int x,
+                                       float disparity) {
   const VolumeShape& shape = sums.shape();
-  // Compared as floats: the cast is safe only for disparities inside the range.
-  if (whole != disparity || !(whole > static_cast<float>(shape.begin(y, x))) ||
-      !(whole < static_cast<float>(shape.end(y, x) - 1))) {
-    return false;
+  const int begin = shape.begin(y, x);
+  // Compared as floats: the cast is safe only for disparities inside the range. NaN is in none.
+  if (!(disparity > static_cast<float>(begin)) ||
+      !(disparity < static_cast<float>(shape.end(y, x) - 1))) {
+    return nullptr;
   }
-  const std::uint16_t* cell = sums.at(y, x) + (static_cast<int>(whole) - shape.begin(y, x));
+  const int whole = static_cast<int>(disparity);
+  return static_cast<float>(whole) == disparity ? sums.at(y, x) + (whole - begin) : nullptr;
+}
+
+/// Looks up the rises around a cell. False where no fit is possible: there is no cell, it or a
+/// neighbour is kNoMatch, it is no minimum, or flat.
+inline bool find_rises(const std::uint16_t* cell, Rises& rises) {
   constexpr auto kNoMatch = AggregatedVolume::kNoMatch;
+  if (cell == nullptr) return false;
   if (cell[-1] == kNoMatch || cell[0] == kNoMatch || cell[1] == kNoMatch) return false;
   rises = {cell[-1] - cell[0], cell[1] - cell[0]};
   return rises.below >= 0 && rises.above >= 0 && rises.below + rises.above > 0;
@@ -37,13 +44,22 @@ inline bool find_rises(const AggregatedVolume& sums, int y, int x, float dispari
 /// Adds shift(rises), within [-0.5, 0.5], to every disparity that allows a fit; all else stays.
 template <class Shift>
 DisparityMap refine(const DisparityMap& map, const AggregatedVolume& sums, Shift shift) {
-  DisparityMap refined = map.clone();
-  parallel_for(0, map.size().height, [&](int y) {
-    Rises rises;
-    for (int x = 0; x < map.size().width; ++x) {
-      if (map.valid(y, x) && find_rises(sums, y, x, map.disparity(y, x), rises)) {
-        refined.disparity(y, x) += shift(rises);
-      }
+  // Cells of neighbours lie too far apart for the processor to see them coming.
+  constexpr int kAhead = 24;
+  const cv::Size size = map.size();
+  DisparityMap refined;
+  refined.disparity.create(size);
+  refined.status.create(size);
+  parallel_for(0, size.height, [&](int y) {
+    std::copy_n(map.status[y], size.width, refined.status[y]);
+    const float* const whole = map.disparity[y];
+    float* const result = refined.disparity[y];
+    for (int x = 0; x < size.width; ++x) {
+      const int ahead = std::min(x + kAhead, size.width - 1);
+      __builtin_prefetch(inner_cell(sums, y, ahead, whole[ahead]));
+      Rises rises;
+      const bool fits = find_rises(inner_cell(sums, y, x, whole[x]), rises);
+      result[x] = fits ? whole[x] + shift(rises) : whole[x];
     }
   });
   return refined;

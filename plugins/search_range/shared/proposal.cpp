@@ -2,18 +2,10 @@
 // From proposals of coarse pixels to the range of the finer level.
 #include "plugins/search_range/shared/proposal.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "xgm/base/parallel.hpp"
 
 namespace xgm::search_range {
 namespace {
-
-// Far beyond any image, and small enough that relaxations can be added without overflow.
-constexpr double kFarAway = 1e9;
-
-int whole(double value) { return static_cast<int>(std::clamp(value, -kFarAway, kFarAway)); }
 
 Interval cut(Interval proposed, Interval limits, int relaxation) {
   if (limits.empty()) return {};
@@ -23,9 +15,6 @@ Interval cut(Interval proposed, Interval limits, int relaxation) {
 }
 
 }  // namespace
-
-int fine_floor(double d) { return whole(std::floor(2 * d)); }
-int fine_ceil(double d) { return whole(std::ceil(2 * d)); }
 
 Interval relaxed(double low, double high, int relaxation) {
   return {fine_floor(low) - relaxation, fine_ceil(high) + relaxation + 1};

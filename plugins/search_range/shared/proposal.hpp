@@ -2,6 +2,7 @@
 // What a coarse map proposes to search at the next finer level, and how limits bound it.
 #pragma once
 
+#include <algorithm>
 #include <opencv2/core.hpp>
 
 #include "xgm/data/disparity_range.hpp"
@@ -23,9 +24,21 @@ struct Proposal {
   cv::Mat1i begin, end;
 };
 
+/// Disparities beyond this are cut to it: far outside any image, and small enough that relaxations
+/// can be added without overflow.
+inline constexpr double kFarAway = 1e9;
+
 /// Largest whole fine disparity not above, smallest not below the coarse disparity `d`.
-int fine_floor(double d);
-int fine_ceil(double d);
+inline int fine_floor(double d) {
+  const double fine = std::clamp(2 * d, -kFarAway, kFarAway);
+  const int whole = static_cast<int>(fine);
+  return whole - (fine < whole ? 1 : 0);
+}
+inline int fine_ceil(double d) {
+  const double fine = std::clamp(2 * d, -kFarAway, kFarAway);
+  const int whole = static_cast<int>(fine);
+  return whole + (fine > whole ? 1 : 0);
+}
 
 /// The closed interval from `low` to `high`, which are coarse disparities, at the finer level and
 /// widened by `relaxation` fine pixels: [floor(2 low) - relaxation, ceil(2 high) + relaxation].

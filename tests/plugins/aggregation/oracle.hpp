@@ -34,7 +34,10 @@ class Oracle {
 
   /// Eq. 4, less (N - 1) C if `corrected`.
   Sums sums(int directions, bool corrected) {
-    Sums sums(static_cast<std::size_t>(shape_.cells()), 0.0);
+    Sums sums(static_cast<std::size_t>(shape_.cells()), kInfinite);  // behind a slice, too
+    for (int y = 0; y < shape_.height(); ++y)
+      for (int x = 0; x < shape_.width(); ++x)
+        std::fill_n(sums.begin() + shape_.offset(y, x), shape_.count(y, x), 0.0);
     for (const Direction r : all_directions(directions)) {
       start(r);
       for (int y = 0; y < shape_.height(); ++y)

@@ -119,30 +119,31 @@ TEST_CASE("mgm equals Eq. 6 within the derived bound of its fixed-point error") 
             CAPTURE(directions);
             CHECK(result.same_holes);
             const int steps = size.width + size.height;  // of the longest path
-            const double path_unit = 1.0 / 256;          // 24 + 2 P2 + P1 < 65535 / 256
-            CHECK(result.largest <= directions * steps * path_unit + 4 * result.unit);
+            CHECK(result.largest <= directions * steps * result.unit);
           }
 }
 
 TEST_CASE("mgm is exact while no half has to be rounded") {
-  // On two rows and columns paths have at most two steps; F >= 2 holds their halves of halves.
+  // On two rows and columns paths have at most two steps; two bits hold their halves of halves.
   const CostVolume costs = random_costs(dense_shape({2, 2}, {-1, 2}), 24, 3);
   for (const int directions : {4, 8, 16}) {
-    const Comparison result = compare(costs, RandomPenalties(2, 2, 96, 3), directions);
+    const Comparison result = compare(costs, RandomPenalties(2, 2, 36, 3), directions);
     CHECK(result.unit <= 0.25);
     CHECK(result.largest == 0);
   }
 }
 
-TEST_CASE("mgm has the oracle's winner at 99.9 % of the pixels") {
+TEST_CASE("mgm has the oracle's winner nearly everywhere, as far as its fraction bits go") {
   const cv::Size size(160, 120);
   const auto report = [](const std::string& name, int directions, const Comparison& result) {
     MESSAGE(name, ", ", directions, " directions: same winner ", 100 * result.agreement,
             " %, unit ", result.unit, ", error of S rms ", result.rms, ", largest ",
             result.largest);
-    CHECK(result.agreement >= 0.999);
+    // Where costs are noise winners are near ties, and the rest differs by what one step differs.
+    CHECK(result.agreement >= (result.unit > 0.25 ? 0.96 : 0.995));
+    CHECK(result.rms <= std::sqrt(directions) * result.unit);  // the paths' errors are independent
   };
-  const ConstantPenalties usual(24, 96);
+  const ConstantPenalties usual(24, 96), strong(60, 240);
   const RandomPenalties varying(2, 2, 96, 17);
   for (const int directions : {4, 8, 16}) {
     const CostVolume noise = random_costs(dense_shape(size, {0, 64}), 24, 1);
@@ -153,6 +154,7 @@ TEST_CASE("mgm has the oracle's winner at 99.9 % of the pixels") {
     report("census-like, uncorrected", directions, compare(scene, usual, directions, false));
     const CostVolume ragged = census_like_costs(ragged_shape(size, {-5, 60}, 4), 4);
     report("ragged, P 24/96", directions, compare(ragged, usual, directions));
+    report("ragged, P 60/240", directions, compare(ragged, strong, directions));
   }
 }
 
@@ -164,10 +166,11 @@ TEST_CASE("the overcounting correction of mgm is S - (N - 1) C") {
     const AggregatedVolume corrected = run_mgm(costs, penalties, directions, true);
     REQUIRE(plain.fraction_bits == corrected.fraction_bits);
     bool all_hold = true;
-    for (std::int64_t i = 0; i < costs.shape().cells(); ++i) {
-      const int c = costs.data()[i], s = plain.data()[i];
-      const int surplus = (directions - 1) * c * (1 << plain.fraction_bits);
-      all_hold = all_hold && corrected.data()[i] == (c == CostVolume::kNoMatch ? s : s - surplus);
+    const auto c = all_cells(costs);
+    const auto s = all_cells(plain), found = all_cells(corrected);
+    for (std::size_t i = 0; i < c.size(); ++i) {
+      const int surplus = (directions - 1) * c[i] * (1 << plain.fraction_bits);
+      all_hold = all_hold && found[i] == (c[i] == CostVolume::kNoMatch ? s[i] : s[i] - surplus);
     }
     CHECK(all_hold);
   }
@@ -221,7 +224,7 @@ TEST_CASE("mgm holds the largest costs and penalties that fit, and refuses large
     const Comparison result = compare(costs, ConstantPenalties(most, most), directions);
     CHECK(result.unit == 1);
     CHECK(result.same_holes);
-    CHECK(result.largest <= directions * (19 + 13) + 4);
+    CHECK(result.largest <= directions * (19 + 13));
     CHECK_THROWS_AS(run_mgm(costs, ConstantPenalties(0, most + 1), directions), Error);
   }
 }
@@ -230,7 +233,7 @@ TEST_CASE("mgm without costs and penalties, and without cells, gives zeros and n
   CostVolume costs(dense_shape({6, 5}, {0, 2}), 0);
   std::fill_n(costs.data(), costs.shape().cells(), std::uint8_t{0});
   const AggregatedVolume sums = run_mgm(costs, ConstantPenalties(0, 0), 8);
-  CHECK(std::all_of(sums.data(), sums.data() + 60, [](auto s) { return s == 0; }));
+  CHECK(all_cells(sums) == std::vector<std::uint16_t>(60, 0));
   const CostVolume none(dense_shape({6, 5}, {0, 0}), 24);
   CHECK(run_mgm(none, ConstantPenalties(1, 2), 8).shape().cells() == 0);
 }

@@ -214,6 +214,19 @@ TEST_CASE("lrrl keeps a difference of exactly the threshold and rounds half pixe
   CHECK(run("lrrl", forward, reverse).forward.valid(0, 5));
 }
 
+TEST_CASE("lrrl calls occluded what points far beyond the other view") {
+  DisparityMap forward = uniform_map({9, 1}, 0), reverse = uniform_map({9, 1}, 0);
+  forward.set(0, 2, 4e9F);
+  forward.set(0, 6, -1e30F);
+  reverse.invalidate(0, 2, Status::peak);
+  reverse.invalidate(0, 6, Status::peak);
+  const MatchResult result = run("lrrl", forward, reverse);
+  CHECK(result.forward.at(0, 2) == Status::occluded);
+  CHECK(result.forward.at(0, 6) == Status::occluded);
+  CHECK(result.forward.valid(0, 4));
+  CHECK(result.reverse->valid(0, 4));
+}
+
 TEST_CASE("lrrl without a reverse map says what to do") {
   MatchResult result;
   result.forward = uniform_map({3, 3}, 0);

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "support/simd.hpp"
 #include "support/support.hpp"
 
 namespace xgm::testing {
@@ -151,6 +152,37 @@ inline void check_threads(const std::string& yaml) {
   };
   const CostVolume one = run(1);
   for (const int count : {2, 3, 8}) CHECK(identical(run(count), one));
+}
+
+/// Rows and slices longer than any vector, and all that makes them odd.
+inline std::vector<CostCase> long_cases() {
+  const cv::Size size(151, 3);
+  std::vector<CostCase> cases;
+  for (const int channels : {1, 3}) {
+    for (const bool masked : {false, true}) {
+      const ImagePair pair = noisy_pair(size, channels, masked, true);
+      cases.push_back({"dense", pair, DisparityRange::uniform(size, {0, 117})});
+      cases.push_back({"wider than the image", pair, DisparityRange::uniform(size, {-170, 200})});
+      cases.push_back({"outside the image", pair, DisparityRange::uniform(size, {160, 195})});
+      cases.push_back({"ragged", pair, random_range(size, {-70, 90}, 5)});
+    }
+  }
+  return cases;
+}
+
+/// Every SIMD target writes the cells that the code without vectors writes, on short slices (on
+/// which check_costs() holds one of them against the oracle) and on long ones.
+inline void check_targets(const std::string& yaml) {
+  const auto cost = stage<Cost>(yaml);
+  std::vector<CostCase> cases = cost_cases(true);
+  for (CostCase& c : long_cases()) cases.push_back(std::move(c));
+  for (const CostCase& c : cases) {
+    const auto shape = std::make_shared<const VolumeShape>(c.range, c.pair.base.valid);
+    use_simd("scalar");
+    const CostVolume plain = cost->run(c.pair, shape, Context{});
+    with_each_simd_target(
+        [&] { CHECK_MESSAGE(identical(cost->run(c.pair, shape, Context{}), plain), c.name); });
+  }
 }
 
 /// A pair of one grey and one colour view costs what the two grey views cost.

@@ -28,6 +28,10 @@ TEST_CASE("absolute_difference is the mean over the channels, truncated, rounded
   check_costs("{type: absolute_difference, truncation: 254}", difference_oracle(254));
 }
 
+TEST_CASE("absolute_difference gives the same costs with every SIMD target") {
+  check_targets("{type: absolute_difference, truncation: 90}");
+}
+
 TEST_CASE("absolute_difference is symmetric") { check_symmetry("absolute_difference"); }
 
 TEST_CASE("absolute_difference does not depend on the number of threads") {

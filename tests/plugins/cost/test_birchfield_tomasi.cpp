@@ -63,6 +63,10 @@ TEST_CASE("birchfield_tomasi does not see a shift of half a pixel on a ramp") {
   for (int x = 0; x < 9; ++x) CHECK(costs.at(0, x)[0] == 0);
 }
 
+TEST_CASE("birchfield_tomasi gives the same costs with every SIMD target") {
+  check_targets("{type: birchfield_tomasi, truncation: 90}");
+}
+
 TEST_CASE("birchfield_tomasi is symmetric") { check_symmetry("birchfield_tomasi"); }
 
 TEST_CASE("birchfield_tomasi does not depend on the number of threads") {

@@ -66,6 +66,28 @@ TEST_CASE("census states the number of neighbours as its largest cost, and reach
   CHECK(costs.at(4, 4)[0] == 80);
 }
 
+TEST_CASE("census gives the same costs with every SIMD target") {
+  check_targets("{type: census, window: 3}");
+  check_targets("census");
+  check_targets("{type: census, window: 7}");
+  check_targets("{type: census, window: 7, window_height: 5}");
+  check_targets("{type: census, window: 9}");
+}
+
+TEST_CASE("census counts up to the last bit of three channels with every SIMD target") {
+  ImagePair pair{Image(cv::Mat1f(9, 9, 0.0F)), Image(cv::Mat1f(9, 9, 0.0F))};
+  for (Image* image : {&pair.base, &pair.match}) {
+    for (int c = 0; c < 2; ++c) image->planes.push_back(image->planes[0].clone());
+  }
+  for (cv::Mat1f& plane : pair.base.planes) plane(4, 4) = 1;
+  const auto shape =
+      std::make_shared<const VolumeShape>(DisparityRange::uniform(pair.size(), {0, 1}));
+  with_each_simd_target([&] {
+    const CostVolume costs = stage<Cost>("{type: census, window: 9}")->run(pair, shape, Context{});
+    CHECK(costs.at(4, 4)[0] == 80);
+  });
+}
+
 TEST_CASE("census does not see gain and offset") {
   const ImagePair pair = noisy_pair({40, 20}, 3, false, false);
   ImagePair brighter = pair;

@@ -29,9 +29,10 @@ void check_sum(double census_weight, double difference_weight, const std::string
           254, static_cast<int>(std::floor(census_weight * a + difference_weight * b + 0.5)));
     };
     int wrong = 0;
-    for (std::int64_t i = 0; i < shape->cells(); ++i) {
-      const bool none = census.data()[i] == 255 || difference.data()[i] == 255;
-      wrong += sum.data()[i] != (none ? 255 : expected(census.data()[i], difference.data()[i]));
+    const auto a = all_cells(census), b = all_cells(difference), both = all_cells(sum);
+    for (std::size_t i = 0; i < both.size(); ++i) {
+      const bool none = a[i] == 255 || b[i] == 255;
+      wrong += both[i] != (none ? 255 : expected(a[i], b[i]));
     }
     CHECK_MESSAGE(wrong == 0, c.name);
     CHECK(sum.max_cost == expected(8, 200));
@@ -54,7 +55,7 @@ TEST_CASE("weighted_sum has no match where one of its costs has none") {
       DisparityRange::uniform(pair.size(), {-6, 7}), pair.base.valid);
   const CostVolume sum = stage<Cost>(sum_of_both("[1, 0]"))->run(pair, shape, Context{});
   const CostVolume census = stage<Cost>(kCensus)->run(pair, shape, Context{});
-  for (std::int64_t i = 0; i < shape->cells(); ++i) CHECK(sum.data()[i] == census.data()[i]);
+  CHECK(all_cells(sum) == all_cells(census));
 }
 
 TEST_CASE("weighted_sum is symmetric") { check_symmetry(sum_of_both("[2.5, 0.25]")); }

@@ -62,7 +62,8 @@ std::vector<int> costs_at_zero(const cv::Mat1f& base, const cv::Mat1f& match) {
   const auto shape =
       std::make_shared<const VolumeShape>(DisparityRange::uniform(pair.size(), {0, 1}));
   const CostVolume costs = stage<Cost>("{type: zncc, scale: 100}")->run(pair, shape, Context{});
-  return {costs.data(), costs.data() + shape->cells()};
+  const auto cells = all_cells(costs);
+  return {cells.begin(), cells.end()};
 }
 
 }  // namespace

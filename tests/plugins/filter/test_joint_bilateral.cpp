@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
+#include <limits>
 #include <map>
 
 #include "tests/plugins/maps.hpp"
 #include "tests/support/support.hpp"
+#include "xgm/base/simd.hpp"
 #include "xgm/plugin.hpp"
 
 using xgm::DisparityMap;
@@ -166,4 +168,53 @@ TEST_CASE("joint_bilateral: no-data pixels neither vote nor change") {
   pair.base.planes[0](1, 1) = std::nanf("");
   CHECK(identical(run({1, 1, 10, "median"}, map, pair), map));
   CHECK(identical(run({1, 1, 10, "mean"}, map, pair), map));
+}
+
+namespace {
+
+/// Noise with all that vectors could stumble over: holes, no-data and NaN pixels, colours too far
+/// apart to vote, huge and equal disparities, negative zeros.
+std::pair<DisparityMap, ImagePair> awkward_scene(cv::Size size, int planes, double step) {
+  xgm::Random random(static_cast<std::uint64_t>(size.width * 31 + planes));
+  DisparityMap map = xgm::testing::random_map(size, {-8, 8, step, 0.25}, 11);
+  ImagePair pair = xgm::testing::random_guide(size, planes, 12);
+  pair.base.valid = xgm::testing::random_mask(size, 0.1, 13);
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      const int kind = random.integer(0, 60);
+      if (kind == 0) pair.base.planes.back()(y, x) = std::nanf("");
+      if (kind == 1) pair.base.planes[0](y, x) = 255.0F;
+      if (!map.valid(y, x)) continue;
+      if (kind < 6) map.set(y, x, kind % 2 == 0 ? -0.0F : 0.0F);
+      if (kind == 6) map.set(y, x, std::numeric_limits<float>::max());
+      if (kind == 7) map.set(y, x, std::numeric_limits<float>::lowest());
+    }
+  }
+  return {map, pair};
+}
+
+}  // namespace
+
+TEST_CASE("joint_bilateral gives the same bits with every SIMD target") {
+  const std::vector<cv::Size> sizes{{1, 1}, {5, 3}, {19, 4}, {20, 7}, {37, 11}, {83, 40}};
+  for (const Settings& s : {Settings{1, 1, 10, "median"}, Settings{2, 2, 10, "median"},
+                            Settings{2, 2, 10, "mean"}, Settings{15, 5, 8, "median"},
+                            Settings{15, 5, 8, "mean"}, Settings{3, 0.2, 0.1, "median"}}) {
+    for (const cv::Size size : sizes) {
+      for (const int planes : {1, 3}) {
+        for (const double step : {4.0, 0.001}) {
+          const auto [map, pair] = awkward_scene(size, planes, step);
+          xgm::use_simd("scalar");
+          const DisparityMap reference = run(s, map, pair);
+          for (const std::string& target : xgm::simd_targets()) {
+            CAPTURE(target);
+            CAPTURE(size);
+            xgm::use_simd(target);
+            CHECK(identical(run(s, map, pair), reference));
+          }
+          xgm::use_simd("");
+        }
+      }
+    }
+  }
 }

@@ -3,6 +3,7 @@
 
 #include "tests/plugins/maps.hpp"
 #include "tests/support/support.hpp"
+#include "xgm/base/parallel.hpp"
 #include "xgm/plugin.hpp"
 
 using xgm::DisparityMap;
@@ -61,6 +62,14 @@ TEST_CASE("peak_removal invalidates the segments of the definition") {
         CHECK(identical(run(min_size, difference, map), oracle(min_size, difference, map)));
       }
     }
+  }
+}
+
+TEST_CASE("peak_removal joins segments across all rows of a tall map") {
+  const DisparityMap map = xgm::testing::random_map({9, 200}, {-2, 2, 0.5, 0.25}, 10);
+  for (const int threads : {1, 3}) {
+    const xgm::ThreadLimit limit(threads);
+    CHECK(identical(run(12, 1, map), oracle(12, 1, map)));
   }
 }
 

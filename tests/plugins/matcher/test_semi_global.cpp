@@ -194,6 +194,16 @@ TEST_CASE("penalties are gone before the sums are read") {
   CHECK_FALSE(seen().field_lived_at_selection);
 }
 
+/// Disparities of all pixels of the shape that the stages have seen.
+std::int64_t matched_cells() {
+  const VolumeShape& shape = *seen().shape;
+  std::int64_t cells = 0;
+  for (int y = 0; y < shape.height(); ++y) {
+    for (int x = 0; x < shape.width(); ++x) cells += shape.count(y, x);
+  }
+  return cells;
+}
+
 TEST_CASE("range maps are cut to the match image, which changes no result") {
   for (const cv::Size size : {cv::Size(1, 1), {13, 4}, {40, 3}}) {
     for (const Interval hull : {Interval{-20, 30}, {0, 9}, {-50, -45}, {60, 70}}) {
@@ -201,7 +211,7 @@ TEST_CASE("range maps are cut to the match image, which changes no result") {
       const auto uniform = DisparityRange::uniform(size, hull);
       const DisparityRange map(cv::Mat1i(size, hull.begin), cv::Mat1i(size, hull.end));
       const auto dense = matcher->run({random_pair(size, 1), uniform, {}}, Context{}).forward;
-      CHECK(seen().shape->cells() == std::int64_t{size.area()} * hull.size());
+      CHECK(matched_cells() == std::int64_t{size.area()} * hull.size());
       const auto ragged = matcher->run({random_pair(size, 1), map, {}}, Context{}).forward;
       CHECK(identical(dense, ragged));
 
@@ -209,7 +219,7 @@ TEST_CASE("range maps are cut to the match image, which changes no result") {
       for (int x = 0; x < size.width; ++x) {
         for (int d = hull.begin; d < hull.end; ++d) matchable += x - d >= 0 && x - d < size.width;
       }
-      CHECK(seen().shape->cells() == matchable * size.height);
+      CHECK(matched_cells() == matchable * size.height);
     }
   }
 }

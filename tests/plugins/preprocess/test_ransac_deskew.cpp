@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <map>
+#include <opencv2/features2d.hpp>
 
 #include "support/support.hpp"
 #include "xgm/synthesis.hpp"
@@ -221,4 +222,50 @@ TEST_CASE("ransac_deskew: recovers dy = 0.01 y + 1.3 to 0.1 px in rooms full of 
     MESSAGE("seed ", seed, ": ", error, " px at the worst corner");
     CHECK(error < 0.1);
   }
+}
+
+namespace {
+
+struct Features {
+  std::vector<cv::KeyPoint> points;
+  cv::Mat1f descriptors;
+};
+
+Features features(const Image& image) {
+  cv::Mat1b grey;
+  image.grey().convertTo(grey, CV_8U);
+  Features found;
+  cv::SIFT::create(4000, 3, 0.01)->detectAndCompute(grey, {}, found.points, found.descriptors);
+  return found;
+}
+
+/// Best matches by OpenCV, -1 where the second best is nearly as good.
+std::vector<int> best(const Features& from, const Features& to) {
+  std::vector<std::vector<cv::DMatch>> nearest;
+  cv::BFMatcher(cv::NORM_L2).knnMatch(from.descriptors, to.descriptors, nearest, 2);
+  std::vector<int> matches;
+  for (const auto& two : nearest) {
+    const bool clear = double(two[0].distance) < 0.8 * double(two[1].distance);
+    matches.push_back(clear ? two[0].trainIdx : -1);
+  }
+  return matches;
+}
+
+}  // namespace
+
+TEST_CASE("ransac_deskew matches as many key points as OpenCV's exhaustive matcher") {
+  const ImagePair pair = make_scene(scene_options({0.0, 0.0, 2.0})).pair;
+  const Features base = features(pair.base), match = features(pair.match);
+  const std::vector<int> there = best(base, match), back = best(match, base);
+  int mutual = 0;
+  for (int i = 0; i < int(there.size()); ++i) {
+    const int j = there[std::size_t(i)];
+    if (j < 0 || back[std::size_t(j)] != i) continue;
+    mutual += std::abs(double(base.points[std::size_t(i)].pt.y) -
+                       double(match.points[std::size_t(j)].pt.y)) <= 16;
+  }
+  REQUIRE(mutual > 100);
+  Listener listener;
+  deskewed(pair, listener);
+  CHECK(listener.figures.at("matches") == mutual);
 }

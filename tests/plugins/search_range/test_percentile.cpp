@@ -50,6 +50,44 @@ TEST_CASE("a few outliers in the window do not widen the search") {
   CHECK(range.at(41, 41) == Interval{16, 25});
 }
 
+/// Compares some pixels only: sorting every large window would take minutes.
+int wrong_of_some(const DisparityMap& coarse, int window) {
+  const std::string yaml = "{type: percentile, window: " + std::to_string(window) + "}";
+  const cv::Size fine = coarse.size() * 2;
+  const auto limits = DisparityRange::uniform(fine, {-20000, 20000});
+  const auto range = stage<SearchRange>(yaml)->run(coarse, limits, Context{});
+  const auto rule = percentile(window, 5, 95, 4);
+  int wrong = 0;
+  for (int y = 0; y < fine.height; y += 37) {
+    for (int x = 0; x < fine.width; x += 19) {
+      const auto expected = naive_interval(rule(coarse, y / 2, x / 2), limits.at(y, x), 4);
+      wrong += !(range.at(y, x) == expected);
+    }
+  }
+  return wrong;
+}
+
+TEST_CASE("percentile is exact in maps wider than a strip of column histograms") {
+  const auto coarse = random_coarse_map({300, 40}, -100, 200, 0.2, 9);
+  CHECK(wrong_of_some(coarse, 41) == 0);
+  CHECK(wrong_of_some(coarse, 255) == 0);
+}
+
+TEST_CASE("percentile is exact where disparities are too many for column histograms") {
+  DisparityMap coarse({180, 150});
+  for (int i = 0; i < 180 * 150; ++i) {  // a permutation: each disparity once
+    coarse.set(i / 180, i % 180, static_cast<float>(i * 7919 % (180 * 150)) / 4);
+  }
+  CHECK(wrong_of_some(coarse, 255) == 0);
+}
+
+TEST_CASE("percentile is exact where disparities lie too far apart for a table") {
+  DisparityMap coarse = random_coarse_map({40, 30}, -100, 200, 0.2, 9);
+  coarse.set(0, 0, 3e38F);
+  coarse.set(7, 9, -3e38F);
+  CHECK(wrong_of_some(coarse, 9) == 0);
+}
+
 TEST_CASE("percentile does not depend on the number of threads") {
   CHECK(same_for_any_thread_count("percentile"));
 }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "tests/plugins/maps.hpp"
+#include "tests/support/simd.hpp"
 #include "tests/support/support.hpp"
 #include "xgm/plugin.hpp"
 
@@ -16,13 +17,15 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-AggregatedVolume random_sums(cv::Size size, int values, double no_match_share, std::uint64_t seed) {
+/// Slices of up to `longest` cells. What lies behind them is random, too: nobody may look at it.
+AggregatedVolume random_sums(cv::Size size, int values, double no_match_share, std::uint64_t seed,
+                             int longest = 11) {
   xgm::testing::Random random(seed);
   cv::Mat1i begin(size), end(size);
   for (int y = 0; y < size.height; ++y) {
     for (int x = 0; x < size.width; ++x) {
       begin(y, x) = random.integer(-10, 9);
-      end(y, x) = begin(y, x) + random.integer(0, 11);  // some are empty
+      end(y, x) = begin(y, x) + random.integer(0, longest);  // some are empty
     }
   }
   const auto shape = std::make_shared<const xgm::VolumeShape>(xgm::DisparityRange(begin, end));
@@ -97,6 +100,25 @@ TEST_CASE("wta is the argmin over the cells that can match") {
         CAPTURE(size);
         const auto sums = random_sums(size, values, no_match, 7);
         CHECK(xgm::testing::identical(run("wta", sums), oracle(sums, 0)));
+      }
+    }
+  }
+}
+
+TEST_CASE("wta and its uniqueness are what they are with every SIMD target") {
+  for (const int longest : {3, 40, 250, 70000}) {
+    const cv::Size size = longest < 1000 ? cv::Size(37, 9) : cv::Size(3, 2);
+    for (const int values : {2, 40, 64535}) {
+      for (const double no_match : {0.0, 0.2, 0.97}) {
+        const auto sums = random_sums(size, values, no_match, 9, longest);
+        for (const int uniqueness : {0, 2, 30, 100}) {
+          CAPTURE(longest);
+          CAPTURE(uniqueness);
+          const DisparityMap expected = oracle(sums, uniqueness);
+          const std::string yaml = "{type: wta, uniqueness: " + std::to_string(uniqueness) + "}";
+          xgm::testing::with_each_simd_target(
+              [&] { CHECK(xgm::testing::identical(run(yaml, sums), expected)); });
+        }
       }
     }
   }

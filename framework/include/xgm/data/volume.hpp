@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "xgm/base/cells.hpp"
@@ -29,15 +30,13 @@ class XGM_API VolumeShape {
   int height() const { return size_.height; }
   cv::Size size() const { return size_; }
 
-  int begin(int y, int x) const { return begin_[index(y, x)]; }
+  int begin(int y, int x) const { return slice(y, x).begin; }
   int end(int y, int x) const { return begin(y, x) + count(y, x); }
-  int count(int y, int x) const { return count_[index(y, x)]; }
+  int count(int y, int x) const { return slice(y, x).count; }
   /// count(y, x) rounded up to a multiple of kGranule.
   int room(int y, int x) const { return rounded_up(count(y, x)); }
   /// A multiple of kGranule.
-  std::int64_t offset(int y, int x) const {
-    return row_[static_cast<std::size_t>(y)] + std::int64_t{start_[index(y, x)]} * kGranule;
-  }
+  std::int64_t offset(int y, int x) const { return offset(y, slice(y, x)); }
   /// Sum of room(y, x): what a volume allocates.
   std::int64_t cells() const { return row_.back(); }
   /// Largest number of disparities that a pixel has.
@@ -46,18 +45,24 @@ class XGM_API VolumeShape {
   Interval hull() const { return hull_; }
   std::size_t bytes() const;
 
- private:
-  std::size_t index(int y, int x) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.width) +
-           static_cast<std::size_t>(x);
+  /// All of a pixel at one glance, for loops that visit millions of them.
+  struct Slice {
+    std::int32_t begin, count;
+    std::uint32_t start;  ///< in granules, from the first one of the row
+  };
+  const Slice& slice(int y, int x) const {
+    return slices_[static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.width) +
+                   static_cast<std::size_t>(x)];
   }
+  std::int64_t offset(int y, const Slice& slice) const {
+    return row_[static_cast<std::size_t>(y)] + std::int64_t{slice.start} * kGranule;
+  }
+  static int rounded_up(int count) { return (count + kGranule - 1) & -kGranule; }
 
+ private:
   cv::Size size_;
-  static int rounded_up(int count) { return (count + kGranule - 1) / kGranule * kGranule; }
-
-  std::vector<std::int32_t> begin_, count_;  // per pixel
-  std::vector<std::uint32_t> start_;         // per pixel: slice, in granules from its row's first
-  std::vector<std::int64_t> row_;            // per row, plus one: first cell
+  std::vector<Slice> slices_;      // per pixel
+  std::vector<std::int64_t> row_;  // per row, plus one: first cell
   int max_count_ = 0;
   Interval hull_;
 };
@@ -82,6 +87,10 @@ class Volume {
   /// First cell of a pixel; shape().count(y, x) cells follow.
   Cell* at(int y, int x) { return data() + shape_->offset(y, x); }
   const Cell* at(int y, int x) const { return data() + shape_->offset(y, x); }
+  /// All of a pixel's.
+  std::span<const Cell> cells(int y, int x) const {
+    return {at(y, x), static_cast<std::size_t>(shape_->count(y, x))};
+  }
   Cell* data() { return static_cast<Cell*>(cells_.get()); }
   const Cell* data() const { return static_cast<const Cell*>(cells_.get()); }
   std::size_t bytes() const { return static_cast<std::size_t>(shape_->cells()) * sizeof(Cell); }

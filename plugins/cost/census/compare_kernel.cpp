@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// Comparisons of pixels with neighbours, a vector of pixels at a time.
+#include "plugins/cost/census/compare.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "plugins/cost/census/compare_kernel.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace xgm::census::HWY_NAMESPACE {
+
+#if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128
+
+void compare_row(const Neighbours& neighbours, const float* centres, int width,
+                 std::uint8_t* bytes) {
+  compare_plain(neighbours, centres, 0, width, bytes);
+}
+
+#else
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+void compare_row(const Neighbours& neighbours, const float* centres, int width,
+                 std::uint8_t* bytes) {
+  const hn::CappedTag<float, 16> d;
+  const hn::RebindToSigned<decltype(d)> d32;
+  const hn::Rebind<std::uint8_t, decltype(d)> d8;
+  constexpr int kLanes = static_cast<int>(hn::MaxLanes(d));
+  int x = 0;
+  for (; x + kLanes <= width; x += kLanes) {
+    const auto centre = hn::LoadU(d, centres + x);
+    auto bits = hn::Zero(d32);
+    for (std::size_t k = 0; k < neighbours.size(); ++k) {
+      const auto darker = hn::RebindMask(d32, hn::Lt(hn::LoadU(d, neighbours[k] + x), centre));
+      bits = hn::Or(bits, hn::IfThenElseZero(darker, hn::Set(d32, 1 << k)));
+    }
+    hn::StoreU(hn::DemoteTo(d8, bits), d8, bytes + x);
+  }
+  compare_plain(neighbours, centres, x, width, bytes);
+}
+
+#endif
+
+}  // namespace xgm::census::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace xgm::census {
+
+HWY_EXPORT(compare_row);
+
+void compare(const Neighbours& neighbours, const float* centres, int width, std::uint8_t* bytes) {
+  HWY_DYNAMIC_DISPATCH(compare_row)(neighbours, centres, width, bytes);
+}
+
+void compare_plain(const Neighbours& neighbours, const float* centres, int first, int width,
+                   std::uint8_t* bytes) {
+  for (int x = first; x < width; ++x) {
+    unsigned bits = 0;
+    for (std::size_t k = 0; k < neighbours.size(); ++k) {
+      bits |= (neighbours[k][x] < centres[x] ? 1U : 0U) << k;
+    }
+    bytes[x] = static_cast<std::uint8_t>(bits);
+  }
+}
+
+}  // namespace xgm::census
+#endif

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// The plain code is compared with Eq. 3 to 6 by the other tests; here all others with the plain
+// code.
+#include "inputs.hpp"
+#include "plugins/aggregation/mgm/passes.hpp"
+#include "plugins/aggregation/sgm/passes.hpp"
+#include "plugins/aggregation/shared/aggregate.hpp"
+#include "xgm/base/simd.hpp"
+
+using namespace xgm;
+using namespace xgm::testing;
+using aggregation::PathCostWidth;
+
+namespace {
+
+AggregatedVolume aggregate(const std::string& target, const CostVolume& costs,
+                           const PenaltyField& penalties,
+                           const std::vector<aggregation::Pass>& passes, PathCostWidth width) {
+  use_simd(target);
+  AggregatedVolume sums =
+      aggregation::aggregate_paths(costs, penalties, passes, {.width = width}, Context{});
+  use_simd("");
+  return sums;
+}
+
+void check_targets(const CostVolume& costs, const PenaltyField& penalties) {
+  for (const int directions : {4, 8, 16}) {
+    for (const auto& passes : {sgm::passes(directions), mgm::passes(directions)}) {
+      for (const PathCostWidth width : {PathCostWidth::bits8, PathCostWidth::bits16}) {
+        const auto expected = aggregate("scalar", costs, penalties, passes, width);
+        for (const std::string& target : simd_targets()) {
+          CAPTURE(target);
+          CAPTURE(directions);
+          CAPTURE(passes.size());
+          CHECK(identical(aggregate(target, costs, penalties, passes, width), expected));
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("every SIMD target gives the same sums on dense volumes, from one disparity to many") {
+  for (const int disparities : {1, 15, 16, 17, 33, 64, 100, 128, 240}) {
+    CAPTURE(disparities);
+    const auto shape = dense_shape({23, 9}, {-disparities / 3, disparities - disparities / 3});
+    check_targets(random_costs(shape, 24, 7), ConstantPenalties(10, 90));
+    check_targets(random_costs(shape, 24, 8), RandomPenalties(3, 2, 90, 8));
+  }
+}
+
+TEST_CASE("every SIMD target gives the same sums on ragged volumes") {
+  for (const Interval hull : {Interval{0, 7}, {-20, 21}, {-60, 90}, {3, 300}}) {
+    CAPTURE(hull.end);
+    const auto shape = ragged_shape({41, 13}, hull, 3);
+    check_targets(random_costs(shape, 24, 3), ConstantPenalties(0, 60));
+    check_targets(random_costs(shape, 24, 4), RandomPenalties(1, 2, 90, 4));
+    check_targets(random_costs(shape, 24, 5), RandomPenalties(2, 4, 90, 5));
+  }
+}
