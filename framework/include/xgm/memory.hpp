@@ -21,6 +21,9 @@ XGM_API std::uint64_t program_memory();
 /// process runs in. UINT64_MAX if the system does not say.
 XGM_API std::uint64_t available_memory();
 
+/// Gives memory that was freed, but that the heap keeps, back to the system.
+XGM_API void trim_heap();
+
 /// From here on, asking for more than `bytes` in addition to what is held fails with
 /// std::bad_alloc. Without such a limit the system would grant any wish, and end the process
 /// without a word when the memory is touched.

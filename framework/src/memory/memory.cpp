@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "xgm/memory.hpp"
 
+#include <malloc.h>
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -72,6 +73,12 @@ std::uint64_t program_memory() {
 std::uint64_t available_memory() {
   const auto free_kib = number_behind("/proc/meminfo", "MemAvailable:");
   return std::min(free_kib ? *free_kib * 1024 : kUnknown, left_by_control_groups());
+}
+
+void trim_heap() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
 }
 
 void limit_memory(std::uint64_t bytes) {

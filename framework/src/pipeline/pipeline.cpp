@@ -13,6 +13,7 @@
 #include "pipeline/graph.hpp"
 #include "xgm/base/cells.hpp"
 #include "xgm/base/error.hpp"
+#include "xgm/memory.hpp"
 #include "xgm/plugin.hpp"
 
 namespace xgm {
@@ -95,6 +96,8 @@ void check_request(const MatchRequest& request) {
 /// What volumes leave for each other is gone before the maps are worked on.
 MatchResult match(const Context& context, const Slot<Matcher>& matcher,
                   const MatchRequest& request) {
+  trim_heap();  // key points leave hundreds of MB behind, in heaps of threads that need them no
+                // more
   const CellReuse reuse;
   return matcher(context, request);
 }

@@ -7,6 +7,7 @@
 #include <memory>
 #include <opencv2/imgproc.hpp>
 
+#include "xgm/base/cells.hpp"
 #include "xgm/base/parallel.hpp"
 #include "xgm/plan.hpp"
 #include "xgm/run_record.hpp"
@@ -172,7 +173,9 @@ MatchRequest reduced(const MatchRequest& request, int factor) {
 
 Experience measure(const Pipeline& pipeline, const MatchRequest& small, int threads) {
   PlanRequest request{.load = workload_of(small, threads)};
-  Prober prober(request.load);
+  const CellReuse reuse;  // so that the second run waits for no memory, as little as a large one
+  Prober warming(request.load), prober(request.load);
+  pipeline.run(small, warming, threads);
   pipeline.run(small, prober, threads);
   request.experience.narrowing = fit(prober.narrowed());
   return {request.experience.narrowing, speeds(plan_run(pipeline, request), prober.stages()),
