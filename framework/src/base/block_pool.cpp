@@ -43,13 +43,9 @@ std::byte* map(std::size_t bytes) {
   return block;
 }
 
-/// Makes a block larger or smaller, and keeps its pages; null, with the block as it was, if there
-/// is no memory.
-std::byte* resize(Block block, std::size_t bytes) {
-  if (bytes <= block.bytes) {
-    if (bytes < block.bytes) munmap(block.begin + bytes, block.bytes - bytes);
-    return block.begin;
-  }
+/// Makes a block larger, and keeps its pages; null, with the block as it was, if there is no
+/// memory.
+std::byte* grow(Block block, std::size_t bytes) {
   std::byte* const place = reserve(bytes);  // moved, for what lies behind the block may be in use
   if (place == nullptr) return nullptr;
   void* const moved = mremap(block.begin, block.bytes, bytes, MREMAP_MAYMOVE | MREMAP_FIXED, place);
@@ -63,7 +59,7 @@ std::byte* BlockPool::take(std::size_t bytes) {
   const std::size_t whole = whole_pages(bytes);
   std::byte* begin = nullptr;
   if (const Block block = take_free(whole); block.begin != nullptr) {
-    begin = resize(block, whole);
+    begin = fit(block, whole);
     if (begin == nullptr) munmap(block.begin, block.bytes);
   }
   if (begin == nullptr) begin = map(whole);
@@ -81,8 +77,7 @@ std::byte* BlockPool::take(std::size_t bytes) {
 void BlockPool::give_back(Block block) {
   block.bytes = whole_pages(block.bytes);
   used_ -= block.bytes;
-  free_bytes_ += block.bytes;
-  free_.push_back(block);
+  add_free(block);
 }
 
 void BlockPool::trim() {
@@ -90,6 +85,30 @@ void BlockPool::trim() {
   free_.clear();
   free_bytes_ = 0;
   most_used_ = used_;
+}
+
+/// Joined with free neighbours, so that what was split becomes whole again. (Neighbours by chance
+/// cannot grow together: the system refuses that, and a new block is made.)
+void BlockPool::add_free(Block block) {
+  free_bytes_ += block.bytes;
+  std::erase_if(free_, [&](Block other) {
+    if (other.begin + other.bytes == block.begin) {
+      block.begin = other.begin;
+    } else if (block.begin + block.bytes != other.begin) {
+      return false;
+    }
+    block.bytes += other.bytes;
+    return true;
+  });
+  free_.push_back(block);
+}
+
+/// `block` with so many bytes; what it has too much stays free. Null, with the block as it was, if
+/// there is no memory.
+std::byte* BlockPool::fit(Block block, std::size_t bytes) {
+  if (block.bytes < bytes) return grow(block, bytes);
+  if (block.bytes > bytes) add_free({block.begin + bytes, block.bytes - bytes});
+  return block.begin;
 }
 
 /// The free block whose size is nearest; an empty one if there is none.

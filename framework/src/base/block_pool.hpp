@@ -17,9 +17,9 @@ struct Block {
 };
 
 /// A free block is made to fit whoever asks next: what is missing is added at its end, what is too
-/// much goes back to the system. So no block is larger than its volume, and because free blocks are
-/// cut as soon as free and used ones together exceed what was once in use, the pool never makes a
-/// program larger than it would be without. Not safe for several threads.
+/// much is split off and stays free. Free blocks are cut as soon as free and used ones together
+/// exceed what was once in use, so that the pool never makes a program larger than it would be
+/// without. Not safe for several threads.
 class XGM_API BlockPool {
  public:
   BlockPool() = default;
@@ -39,6 +39,8 @@ class XGM_API BlockPool {
 
  private:
   Block take_free(std::size_t bytes);
+  void add_free(Block block);
+  std::byte* fit(Block block, std::size_t bytes);
   void drop_surplus();
 
   std::vector<Block> free_;

@@ -12,13 +12,15 @@ template <class Cell>
 void run_passes(const CostVolume& costs, const PenaltyField& penalties,
                 const std::vector<Pass>& passes, const Bounds& bounds, AggregatedVolume& sums,
                 const Context& context) {
+  const PathLayout layout(costs.shape(), sizeof(Cell));
   const double share = 1.0 / static_cast<double>(passes.size());
   for (std::size_t i = 0; i < passes.size(); ++i) {
     PassStep step;
     step.first = i == 0;
     step.bits = sums.fraction_bits;
     step.cost_weight = bounds.cost_weight;
-    PassRunner<Cell> runner(costs, penalties, passes[i], step, sums);
+    step.p2 = bounds.p2 << step.bits;
+    PassRunner<Cell> runner(costs, penalties, passes[i], layout, step, sums);
     const double done = share * static_cast<double>(i);
     LineProgress progress(context.part(done, done + share), runner.lines());
     runner.run(progress);

@@ -19,8 +19,8 @@ class LineProgress {
  public:
   LineProgress(Context context, int lines) : context_(std::move(context)), lines_(lines) {}
 
-  void line_finished() {
-    const int finished = ++finished_;
+  void lines_finished(int count) {
+    const int finished = finished_ += count;
     if (std::this_thread::get_id() == home_) context_.progress(double(finished) / lines_);
   }
 

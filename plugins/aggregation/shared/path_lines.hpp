@@ -13,85 +13,133 @@
 
 namespace xgm::aggregation {
 
-/// A ring of lines. The slices of a pixel, one per path, lie one behind the other, with a margin
-/// before each: the granule behind a slice is written with it, infinite, so that there is a granule
-/// of infinite costs on both sides. Pixels take as many cells as they need, so that ragged volumes
-/// need no more room than their fullest line.
+/// How the path costs of a volume's pixels lie in memory, the slices of a pixel one behind the
+/// other, with a margin before each: the granule behind a slice is written with it, infinite, so
+/// that there is a granule of infinite costs on both sides.
+class PathLayout {
+ public:
+  PathLayout(const VolumeShape& shape, int bytes_of_cell) : margin_(VolumeShape::kGranule) {
+    // Whole cache lines where slices are long and always lie at the same places, so that what is
+    // between them stays infinite from the beginning.
+    const int cache_line = static_cast<int>(kCellAlignment) / bytes_of_cell;
+    const int room = VolumeShape::rounded_up(shape.max_count());
+    const bool dense =
+        shape.cells() == std::int64_t{shape.width()} * shape.height() * std::int64_t{room};
+    if (dense && room >= 2 * cache_line) margin_ = cache_line;
+    longest_ = stride(room);
+    std::vector<std::size_t> columns(static_cast<std::size_t>(shape.width()));
+    for (int y = 0; y < shape.height(); ++y) {
+      std::size_t row = 0;
+      for (int x = 0; x < shape.width(); ++x) {
+        const auto cells = static_cast<std::size_t>(stride(shape.room(y, x)));
+        row += cells;
+        columns[static_cast<std::size_t>(x)] += cells;
+      }
+      fullest_row_ = std::max(fullest_row_, row);
+    }
+    fullest_column_ = *std::ranges::max_element(columns);
+  }
+
+  int margin() const { return margin_; }
+  /// From one path's cells to the next one's.
+  int stride(int room) const {
+    return room == 0 ? 0 : ((room + margin_ - 1) & -margin_) + margin_;  // a power of two
+  }
+  /// Cells of one path: of the longest slice, and of all slices of the fullest row or column.
+  std::size_t longest() const { return static_cast<std::size_t>(longest_); }
+  std::size_t fullest_line(bool row) const { return row ? fullest_row_ : fullest_column_; }
+
+ private:
+  int margin_, longest_;
+  std::size_t fullest_row_ = 0, fullest_column_ = 0;
+};
+
+/// Which lines of a pass are kept, and how much of each.
+struct LinesKept {
+  int bands = 0;       ///< lines come in bands...
+  int band_lines = 0;  ///< of so many...
+  int last_lines = 0;  ///< of which the last ones are kept whole, for the next band,
+  int pixels = 0;      ///< and only so many pixels of the others
+};
+
+/// A ring of lines. Pixels take as many cells as they need, so that ragged volumes need no more
+/// room than their fullest line.
 template <class Cell>
 class PathLines {
  public:
+  /// One without cells, as it is made, stands for what does not exist.
   struct Pixel {
-    Cell* cells = nullptr;  ///< L(p, .) of the first path
-    int begin = 0;          ///< disparity of the first cell
-    int room = 0;           ///< cells of one path
-    int stride = 0;         ///< from one path's cells to the next one's
-    bool counts = false;    ///< whether a cost is finite
+    Cell* cells = nullptr;   ///< L(p, .) of the first path
+    int begin = 0;           ///< disparity of the first cell
+    int room = 0;            ///< cells of one path
+    int stride = 0;          ///< from one path's cells to the next one's
+    Cell least[kMostPaths];  ///< min_i L(p, i) of each path, infinite if there is no match at all
+
+    Pixel() { std::fill_n(least, kMostPaths, kInfinite<Cell>); }
+    bool counts() const { return least[0] != kInfinite<Cell>; }
   };
 
-  PathLines(const VolumeShape& shape, const PassFrame& frame, int paths, int ring_lines)
-      : paths_(paths), margin_(margin(shape)), lines_(static_cast<std::size_t>(ring_lines)) {
-    const std::size_t capacity = most_cells(shape, frame);
-    for (Line& line : lines_) {
-      line.pixels.resize(static_cast<std::size_t>(frame.length()));
-      line.memory = new_cells(capacity * sizeof(Cell));
-      std::fill_n(first_cell(line), capacity, kInfinite<Cell>);
+  PathLines(const PathLayout& layout, const PassFrame& frame, int paths, const LinesKept& kept)
+      : layout_(layout),
+        paths_(paths),
+        lines_(static_cast<std::size_t>(kept.bands * kept.band_lines)) {
+    const auto padded = static_cast<std::size_t>(frame.length() + 2 * kFarthest);
+    const std::size_t whole = layout.fullest_line(frame.lines_are_rows());
+    const std::size_t part =
+        std::min(whole, layout.longest() * static_cast<std::size_t>(kept.pixels));
+    nothing_.resize(padded);
+    for (int i = 0; i < slots(); ++i) {
+      const bool is_whole = i % kept.band_lines >= kept.band_lines - kept.last_lines;
+      Line& line = lines_[static_cast<std::size_t>(i)];
+      line.pixels.resize(padded);
+      begin(line, (is_whole ? whole : part) * static_cast<std::size_t>(paths));
     }
   }
 
   int slots() const { return static_cast<int>(lines_.size()); }
   int slot(int v) const { return v % slots(); }
 
-  /// The pixels of line v, which forgets line v - slots().
-  Pixel* line(int v) { return line_of(v).pixels.data(); }
+  /// The pixels of line v, which forgets line v - slots(). Beyond both ends, and before the first
+  /// line, there are kFarthest pixels that do not exist.
+  Pixel* line(int v) { return (v < 0 ? nothing_ : line_of(v).pixels).data() + kFarthest; }
 
-  /// Makes room for pixel u of line v; pixel u - 1 must have been opened.
+  /// Makes room for pixel u of line v; the one before it must have been opened. Where only a part
+  /// of the line is kept, the pixels opened first are forgotten.
   Pixel& open(int u, int v, int begin, int room) {
     Line& line = line_of(v);
-    Pixel& pixel = line.pixels[static_cast<std::size_t>(u)];
-    Cell* cells = first_cell(line) + margin_;
-    if (u > 0) cells = (&pixel)[-1].cells + std::ptrdiff_t{(&pixel)[-1].stride} * paths_;
-    pixel = {cells, begin, room, room == 0 ? 0 : aligned(room) + margin_, false};
+    Pixel& pixel = line.pixels[static_cast<std::size_t>(u + kFarthest)];
+    const Pixel& before = (&pixel)[-1];
+    pixel.stride = layout_.stride(room);
+    pixel.cells = before.cells + std::ptrdiff_t{before.stride} * paths_;
+    if (u == 0 || line.end - pixel.cells < std::ptrdiff_t{pixel.stride} * paths_)
+      pixel.cells = line.begin;
+    pixel.begin = begin;
+    pixel.room = room;
     return pixel;
   }
 
  private:
   struct Line {
     Cells memory;
+    Cell *begin, *end;
     std::vector<Pixel> pixels;
   };
 
-  static Cell* first_cell(const Line& line) { return static_cast<Cell*>(line.memory.get()); }
-
   Line& line_of(int v) { return lines_[static_cast<std::size_t>(slot(v))]; }
 
-  /// A granule; whole cache lines where slices are long and always lie at the same places, so that
-  /// what is between them stays infinite from the beginning.
-  static int margin(const VolumeShape& shape) {
-    constexpr int kCacheLine = static_cast<int>(kCellAlignment / sizeof(Cell));
-    const int room = VolumeShape::rounded_up(shape.max_count());
-    const bool dense =
-        shape.cells() == std::int64_t{shape.width()} * shape.height() * std::int64_t{room};
-    return dense && room >= 2 * kCacheLine ? kCacheLine : VolumeShape::kGranule;
-  }
-  int aligned(int room) const { return (room + margin_ - 1) & -margin_; }  // a power of two
-
-  /// Cells of all paths in the fullest line.
-  std::size_t most_cells(const VolumeShape& shape, const PassFrame& frame) const {
-    std::size_t most = 0;
-    for (int v = 0; v < frame.lines(); ++v) {
-      std::size_t cells = 0;
-      for (int u = 0; u < frame.length(); ++u) {
-        const cv::Point p = frame.pixel(u, v);
-        cells += static_cast<std::size_t>(aligned(shape.room(p.y, p.x)) + margin_);
-      }
-      most = std::max(most, cells);
-    }
-    return most * static_cast<std::size_t>(paths_) + 2 * static_cast<std::size_t>(margin_);
+  void begin(Line& line, std::size_t cells) const {
+    const auto margin = static_cast<std::size_t>(layout_.margin());
+    line.memory = new_cells((cells + margin) * sizeof(Cell));
+    auto* const memory = static_cast<Cell*>(line.memory.get());
+    std::fill_n(memory, cells + margin, kInfinite<Cell>);
+    line.begin = memory + margin;
+    line.end = line.begin + cells;
   }
 
+  PathLayout layout_;
   int paths_;
-  int margin_;
   std::vector<Line> lines_;
+  std::vector<Pixel> nothing_;
 };
 
 }  // namespace xgm::aggregation

@@ -14,12 +14,14 @@ inline constexpr Cell kInfinite = std::numeric_limits<Cell>::max();
 
 inline constexpr int kMostPaths = 8;  ///< of a pass
 inline constexpr int kMostTerms = 2;  ///< of a path
+inline constexpr int kFarthest = 2;   ///< pixels and lines that a step leads back: knight's moves
 
-/// What a path brings to p from q = p - x (the minimum of Eq. 3 less min_i L(q, i)):
-///   min(L(q, d), L(q, d+-1) + P1, P2), L being less its own minimum.
+/// What a path brings to p from q = p - x:
+///   min(L(q, d), L(q, d+-1) + P1, min_i L(q, i) + P2) - min_i L(q, i).
 template <class Cell>
 struct Term {
   const Cell* previous;         ///< L(q, d) for p's disparities, and one more on either side
+  Cell least;                   ///< min_i L(q, i)
   const std::uint8_t* classes;  ///< match class of each disparity; only if there are several
   const Cell* p1;               ///< by match class
   const Cell* p2;
@@ -40,6 +42,7 @@ struct PixelStep {
   const std::uint8_t* next_cost;  ///< of a pixel that follows soon: worth having in the cache
   const std::uint16_t* next_sums;
   int count, room;
+  Cell* least;  ///< min_i L(p, i) of each path, to be written; infinite if there is no match at all
   Extension<Cell> paths[kMostPaths];
 };
 
@@ -51,17 +54,28 @@ struct PassStep {
   bool first = false;     ///< whether the sums are begun, with cost_weight * C, or added to
   int bits = 0;           ///< fraction bits of path costs and sums
   int cost_weight = 1;    ///< how often C is in the sums beside what paths bring
+  int p2 = 0;             ///< the largest, in units of path costs
 };
 
-/// L = C + mean of the terms, less its minimum; sums += mean of the terms. Means are rounded to
-/// whole units, halves to even: always up or down, errors would add up. Returns whether the pixel
-/// has a finite cost at all.
+/// L = C + mean of the terms; sums += mean of the terms. Means are rounded to whole units, halves
+/// to even: always up or down, errors would add up.
 template <class Cell>
-using ExtendPaths = bool (*)(const PassStep& pass, const PixelStep<Cell>& pixel);
+using ExtendPaths = void (*)(const PassStep& pass, const PixelStep<Cell>& pixel);
 
 /// The plain code, which takes any pass: the reference of all others.
 template <class Cell>
-bool extend_paths_plain(const PassStep& pass, const PixelStep<Cell>& pixel);
+void extend_paths_plain(const PassStep& pass, const PixelStep<Cell>& pixel);
+
+/// Whether the next pixel can add P2 to the least path cost. Nearly always so: its own C is all
+/// that it holds, unless the range of disparities leaves out what was cheap before.
+template <class Cell>
+bool has_room_for_p2(Cell least, const PassStep& pass) {
+  return least == kInfinite<Cell> || least + pass.p2 < kInfinite<Cell>;
+}
+
+/// Makes that room: `room` path costs less the least, which becomes 0.
+template <class Cell>
+void lower(Cell* costs, int room, Cell& least);
 
 /// The fastest that takes this pass, for the SIMD target in use.
 template <class Cell>

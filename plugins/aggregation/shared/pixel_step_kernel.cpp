@@ -64,16 +64,6 @@ HWY_INLINE hn::VFromD<D> load_cost(D d, const std::uint8_t* cost, int bits, int 
   return hn::IfThenElse(exists, c, hn::Set(d, kInfinite<hn::TFromD<D> >));
 }
 
-/// P1 or P2 of each disparity.
-template <bool kClasses, class D, class Mask>
-HWY_INLINE hn::VFromD<D> penalties(D d, const hn::TFromD<D>* by_class, Mask second) {
-  if constexpr (kClasses) {
-    return hn::IfThenElse(second, hn::Set(d, by_class[1]), hn::Set(d, by_class[0]));
-  } else {
-    return hn::Set(d, by_class[0]);
-  }
-}
-
 /// Where the match class is 1.
 template <class D>
 HWY_INLINE hn::MFromD<D> second_class(D d, const std::uint8_t* classes) {
@@ -84,16 +74,54 @@ HWY_INLINE hn::MFromD<D> second_class(D d, const std::uint8_t* classes) {
   }
 }
 
-template <bool kClasses, class D>
-HWY_INLINE hn::VFromD<D> brought_by(D d, const Term<hn::TFromD<D> >& term, int i) {
-  auto second = hn::FirstN(d, 0);
-  if constexpr (kClasses) second = second_class(d, term.classes + i);
-  const auto* const at = term.previous + i;
-  const auto beside = hn::Min(hn::LoadU(d, at - 1), hn::LoadU(d, at + 1));
-  const auto near = hn::SaturatedAdd(beside, penalties<kClasses>(d, term.p1, second));
-  const auto far = penalties<kClasses>(d, term.p2, second);
-  return hn::Min(hn::Min(hn::LoadU(d, at), near), far);
+/// The first lanes of v, as many as D has.
+template <class D, class Full>
+HWY_INLINE hn::VFromD<D> first_lanes(D d, Full full, hn::VFromD<Full> v) {
+  if constexpr (hn::MaxLanes(d) == hn::MaxLanes(full)) {
+    return v;
+  } else {
+    const hn::Half<Full> half;
+    return first_lanes(d, half, hn::LowerHalf(half, v));
+  }
 }
+
+/// A term in registers. Read from where it is, it would be read again after each path cost is
+/// written: those are bytes, which for all a compiler knows could be anything's.
+template <class D, bool kClasses>
+class TermInRegisters {
+ public:
+  using Cell = hn::TFromD<D>;
+
+  HWY_INLINE explicit TermInRegisters(const Term<Cell>& term)
+      : previous_(term.previous), classes_(term.classes), least_(hn::Set(D(), term.least)) {
+    for (int i = 0; i < kTable; ++i) {
+      p1_[i] = hn::Set(D(), term.p1[i]);
+      far_[i] = hn::SaturatedAdd(least_, hn::Set(D(), term.p2[i]));
+    }
+  }
+
+  template <class Block>
+  HWY_INLINE hn::VFromD<Block> brought(Block d, int i) const {
+    const Cell* const at = previous_ + i;
+    auto p1 = first_lanes(d, D(), p1_[0]);
+    auto far = first_lanes(d, D(), far_[0]);
+    if constexpr (kClasses) {
+      const auto second = second_class(d, classes_ + i);
+      p1 = hn::IfThenElse(second, first_lanes(d, D(), p1_[1]), p1);
+      far = hn::IfThenElse(second, first_lanes(d, D(), far_[1]), far);
+    }
+    const auto beside = hn::Min(hn::LoadU(d, at - 1), hn::LoadU(d, at + 1));
+    const auto near = hn::Min(hn::LoadU(d, at), hn::SaturatedAdd(beside, p1));
+    return hn::Sub(hn::Min(near, far), first_lanes(d, D(), least_));
+  }
+
+ private:
+  static constexpr int kTable = kClasses ? 2 : 1;
+
+  const Cell* previous_;
+  const std::uint8_t* classes_;
+  hn::VFromD<D> least_, p1_[kTable], far_[kTable];
+};
 
 /// The mean, halves to even: AverageRound rounds them up, which is odd where it must not be.
 template <class D>
@@ -191,6 +219,38 @@ HWY_INLINE void least_lanes(const V (&v)[kVectors], Cell (&least)[kVectors]) {
   for (int k = 0; k < kVectors; ++k) least[k] = lanes[k];
 }
 
+/// A path in registers.
+template <class D, int kTerms, bool kClasses>
+class PathInRegisters {
+ public:
+  using Cell = hn::TFromD<D>;
+
+  HWY_INLINE explicit PathInRegisters(const Extension<Cell>& path)
+      : one_(path.terms[0]),
+        other_(path.terms[kTerms - 1]),
+        costs_(path.costs),
+        least_(hn::Set(D(), kInfinite<Cell>)) {}
+
+  /// Writes a block of path costs. Returns what the path brings.
+  template <class Block>
+  HWY_INLINE hn::VFromD<Block> extend(Block d, hn::VFromD<Block> cost, int i) {
+    auto brought = one_.brought(d, i);
+    if constexpr (kTerms == 2) brought = mean(d, brought, other_.brought(d, i));
+    const auto extended = hn::SaturatedAdd(cost, brought);
+    hn::StoreU(extended, d, costs_ + i);
+    least_ = hn::Min(least_, repeated(d, D(), extended));
+    return brought;
+  }
+
+  Cell* costs() const { return costs_; }
+  HWY_INLINE auto folded_least() const { return folded(D(), least_); }
+
+ private:
+  TermInRegisters<D, kClasses> one_, other_;
+  Cell* costs_;
+  hn::VFromD<D> least_;
+};
+
 /// kPaths paths that advance together, in vectors of up to D's lanes.
 template <class D, int kPaths, int kTerms, bool kClasses>
 class Group {
@@ -199,96 +259,105 @@ class Group {
 
   HWY_INLINE Group(const PassStep& pass, const PixelStep<Cell>& pixel, int first_path)
       : pass_(pass),
-        pixel_(pixel),
+        cost_(pixel.cost),
+        next_cost_(pixel.next_cost),
+        sums_(pixel.sums),
+        next_sums_(pixel.next_sums),
+        count_(pixel.count),
+        room_(pixel.room),
+        bits_(pass.bits),
         paths_(pixel.paths + first_path),
+        least_(pixel.least + first_path),
+        cost_weight_(static_cast<std::uint16_t>(pass.cost_weight)),
         begins_sums_(pass.first && first_path == 0),
-        prefetches_(first_path == 0) {
-    for (int k = 0; k < kPaths; ++k) least_[k] = hn::Set(D(), kInfinite<Cell>);
-  }
+        prefetches_(first_path == 0),
+        pairs_fit_(sizeof(Cell) == 1 && 2 * pass.p2 <= kInfinite<Cell>) {}
 
-  HWY_INLINE bool run() {
-    extend(D(), 0);
-    decltype(folded(D(), least_[0])) folds[kPaths];
-    for (int k = 0; k < kPaths; ++k) folds[k] = folded(D(), least_[k]);
-    Cell least[kPaths];
-    least_lanes(folds, least);
-    for (int k = 0; k < kPaths; ++k) {
-      subtract(D(), 0, paths_[k].costs, least[k]);
-      std::memset(paths_[k].costs + pixel_.room, 0xFF, VolumeShape::kGranule * sizeof(Cell));
+  HWY_INLINE void run() {
+    using Path = PathInRegisters<D, kTerms, kClasses>;
+    if constexpr (kPaths == 1) {
+      run_paths(Path(paths_[0]));
+    } else if constexpr (kPaths == 2) {
+      run_paths(Path(paths_[0]), Path(paths_[1]));
+    } else {
+      run_paths(Path(paths_[0]), Path(paths_[1]), Path(paths_[2]), Path(paths_[3]));
     }
-    return least[0] != kInfinite<Cell>;
   }
 
  private:
-  template <class Block>
-  HWY_INLINE void extend(Block d, int i) {
-    constexpr int kLanes = static_cast<int>(hn::MaxLanes(Block()));
-    for (; i + kLanes <= pixel_.room; i += kLanes) extend_block(d, i);
-    if constexpr (kLanes > VolumeShape::kGranule) extend(hn::Half<Block>(), i);
+  template <class... Paths>
+  HWY_INLINE void run_paths(Paths... paths) {
+    extend(D(), 0, paths...);
+    const decltype(folded(D(), hn::Zero(D()))) folds[] = {paths.folded_least()...};
+    Cell least[kPaths];
+    least_lanes(folds, least);
+    int k = 0;
+    ((finish(paths.costs(), least[k], least_[k]), ++k), ...);
   }
 
-  template <class Block>
-  HWY_INLINE void extend_block(Block d, int i) {
+  template <class Block, class... Paths>
+  HWY_INLINE void extend(Block d, int i, Paths&... paths) {
+    constexpr int kLanes = static_cast<int>(hn::MaxLanes(Block()));
+    for (; i + kLanes <= room_; i += kLanes) extend_block(d, i, paths...);
+    if constexpr (kLanes > VolumeShape::kGranule) extend(hn::Half<Block>(), i, paths...);
+  }
+
+  template <class Block, class... Paths>
+  HWY_INLINE void extend_block(Block d, int i, Paths&... paths) {
     if (prefetches_) prefetch(d, i);
-    const auto cost = load_cost(d, pixel_.cost + i, pass_.bits, pixel_.count - i);
+    const auto cost = load_cost(d, cost_ + i, bits_, count_ - i);
+    const hn::VFromD<Block> brought[kPaths] = {paths.extend(d, cost, i)...};
     Sums<Block> sums;
     for (int k = 0; k < kPaths; ++k) {
-      auto brought = brought_by<kClasses>(d, paths_[k].terms[0], i);
-      if constexpr (kTerms == 2) {
-        brought = mean(d, brought, brought_by<kClasses>(d, paths_[k].terms[1], i));
+      if (kPaths > 1 && pairs_fit_) {
+        sums.add(d, hn::Add(brought[k], brought[k + 1]));
+        ++k;
+      } else {
+        sums.add(d, brought[k]);
       }
-      const auto extended = hn::SaturatedAdd(cost, brought);
-      hn::StoreU(extended, d, paths_[k].costs + i);
-      least_[k] = hn::Min(least_[k], repeated(d, D(), extended));
-      sums.add(d, brought);
     }
     if (begins_sums_) {
-      sums.begin(d, cost, static_cast<std::uint16_t>(pass_.cost_weight), pixel_.sums + i);
+      sums.begin(d, cost, cost_weight_, sums_ + i);
     } else {
-      sums.add_to(pixel_.sums + i);
+      sums.add_to(sums_ + i);
     }
   }
 
-  /// Passes that go backwards or along columns are no pattern that processors foresee.
+  HWY_INLINE void finish(Cell* costs, Cell least, Cell& result) const {
+    if (HWY_UNLIKELY(!has_room_for_p2(least, pass_))) lower(costs, room_, least);
+    result = least;
+    std::memset(costs + room_, 0xFF, VolumeShape::kGranule * sizeof(Cell));
+  }
+
   template <class Block>
   HWY_INLINE void prefetch(Block, int i) const {
     constexpr std::size_t kCellsOfCacheLine = 64 / sizeof(std::uint16_t);
-    hwy::Prefetch(pixel_.next_cost + i);
+    hwy::Prefetch(next_cost_ + i);
     for (std::size_t cell = 0; cell < hn::MaxLanes(Block()); cell += kCellsOfCacheLine)
-      hwy::Prefetch(pixel_.next_sums + i + cell);
+      hwy::Prefetch(next_sums_ + i + cell);
   }
 
-  template <class Block>
-  HWY_INLINE void subtract(Block d, int i, Cell* costs, Cell least) {
-    constexpr int kLanes = static_cast<int>(hn::MaxLanes(Block()));
-    const auto infinite = hn::Set(d, kInfinite<Cell>);
-    const auto subtrahend = hn::Set(d, least);
-    for (; i + kLanes <= pixel_.room; i += kLanes) {
-      const auto cost = hn::LoadU(d, costs + i);
-      hn::StoreU(hn::IfThenElse(hn::Eq(cost, infinite), cost, hn::Sub(cost, subtrahend)), d,
-                 costs + i);
-    }
-    if constexpr (kLanes > VolumeShape::kGranule) subtract(hn::Half<Block>(), i, costs, least);
-  }
-
-  const PassStep& pass_;
-  const PixelStep<Cell>& pixel_;
+  // Copies, for the reason that TermInRegisters gives.
+  const PassStep pass_;
+  const std::uint8_t *cost_, *next_cost_;
+  std::uint16_t* sums_;
+  const std::uint16_t* next_sums_;
+  int count_, room_, bits_;
   const Extension<Cell>* paths_;
-  bool begins_sums_, prefetches_;
-  hn::VFromD<D> least_[kPaths];
+  Cell* least_;
+  std::uint16_t cost_weight_;
+  bool begins_sums_, prefetches_, pairs_fit_;
 };
 
 template <class D, int kGroup, int kTerms, bool kClasses, class Cell>
-HWY_INLINE bool extend_groups(D, const PassStep& pass, const PixelStep<Cell>& pixel) {
-  bool finite = false;
-  for (int k = 0; k < pass.paths; k += kGroup)
-    finite = Group<D, kGroup, kTerms, kClasses>(pass, pixel, k).run();
-  return finite;
+HWY_INLINE void extend_groups(D, const PassStep& pass, const PixelStep<Cell>& pixel) {
+  const int paths = pass.paths;
+  for (int k = 0; k < paths; k += kGroup) Group<D, kGroup, kTerms, kClasses>(pass, pixel, k).run();
 }
 
 /// Short slices in short vectors, whose minima are found sooner.
 template <class Cell, int kGroup, int kTerms, bool kClasses>
-bool extend_paths(const PassStep& pass, const PixelStep<Cell>& pixel) {
+void extend_paths(const PassStep& pass, const PixelStep<Cell>& pixel) {
   const hn::CappedTag<Cell, 64 / sizeof(Cell)> widest;
   if constexpr (sizeof(Cell) == 1 && hn::MaxLanes(widest) > 32) {
     const hn::Half<decltype(widest)> half;

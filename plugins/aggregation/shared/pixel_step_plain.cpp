@@ -13,7 +13,8 @@ int brought_by(const Term<Cell>& term, int match_classes, int i) {
   const int match_class = match_classes > 1 ? term.classes[i] : 0;
   const int same = term.previous[i];
   const int beside = std::min(term.previous[i - 1], term.previous[i + 1]);
-  return std::min({same, beside + term.p1[match_class], int{term.p2[match_class]}});
+  const int far = term.least + term.p2[match_class];
+  return std::min({same, beside + term.p1[match_class], far}) - term.least;
 }
 
 template <class Cell>
@@ -28,9 +29,16 @@ int brought_by(const PassStep& pass, const Extension<Cell>& path, int i) {
 }  // namespace
 
 template <class Cell>
-bool extend_paths_plain(const PassStep& pass, const PixelStep<Cell>& pixel) {
-  int least[kMostPaths];
-  std::fill_n(least, pass.paths, int{kInfinite<Cell>});
+void lower(Cell* costs, int room, Cell& least) {
+  for (int i = 0; i < room; ++i) {
+    if (costs[i] != kInfinite<Cell>) costs[i] = static_cast<Cell>(costs[i] - least);
+  }
+  least = 0;
+}
+
+template <class Cell>
+void extend_paths_plain(const PassStep& pass, const PixelStep<Cell>& pixel) {
+  std::fill_n(pixel.least, pass.paths, kInfinite<Cell>);
   for (int i = 0; i < pixel.room; ++i) {
     const bool matchable = i < pixel.count && pixel.cost[i] != CostVolume::kNoMatch;
     int sum = 0;
@@ -38,7 +46,7 @@ bool extend_paths_plain(const PassStep& pass, const PixelStep<Cell>& pixel) {
       const int brought = brought_by(pass, pixel.paths[k], i);
       const int cost = matchable ? (pixel.cost[i] << pass.bits) + brought : kInfinite<Cell>;
       pixel.paths[k].costs[i] = static_cast<Cell>(cost);
-      least[k] = std::min(least[k], cost);
+      pixel.least[k] = std::min(pixel.least[k], static_cast<Cell>(cost));
       sum += brought;
     }
     sum += pass.first ? (pass.cost_weight * pixel.cost[i]) << pass.bits : pixel.sums[i];
@@ -46,15 +54,14 @@ bool extend_paths_plain(const PassStep& pass, const PixelStep<Cell>& pixel) {
   }
   for (int k = 0; k < pass.paths; ++k) {
     Cell* const costs = pixel.paths[k].costs;
-    for (int i = 0; i < pixel.room; ++i) {
-      if (costs[i] != kInfinite<Cell>) costs[i] = static_cast<Cell>(costs[i] - least[k]);
-    }
+    if (!has_room_for_p2(pixel.least[k], pass)) lower(costs, pixel.room, pixel.least[k]);
     std::fill_n(costs + pixel.room, VolumeShape::kGranule, kInfinite<Cell>);
   }
-  return least[0] != kInfinite<Cell>;
 }
 
-template bool extend_paths_plain(const PassStep&, const PixelStep<std::uint8_t>&);
-template bool extend_paths_plain(const PassStep&, const PixelStep<std::uint16_t>&);
+template void lower(std::uint8_t*, int, std::uint8_t&);
+template void lower(std::uint16_t*, int, std::uint16_t&);
+template void extend_paths_plain(const PassStep&, const PixelStep<std::uint8_t>&);
+template void extend_paths_plain(const PassStep&, const PixelStep<std::uint16_t>&);
 
 }  // namespace xgm::aggregation

@@ -100,6 +100,26 @@ TEST_CASE("a grown block keeps its place in the books, and its content") {
   pool.give_back({large, 10 * kMega});
 }
 
+TEST_CASE("what a small volume leaves of a large block stays free, and becomes whole again") {
+  BlockPool pool;
+  const auto use_together = [&](const std::vector<std::size_t>& sizes) {
+    return faults_of([&] {
+      std::vector<Block> blocks;
+      for (const std::size_t bytes : sizes) {
+        blocks.push_back({pool.take(bytes), bytes});
+        std::memset(blocks.back().begin, 1, bytes);
+      }
+      for (const Block& block : blocks) pool.give_back(block);
+    });
+  };
+  CHECK(use_together({100 * kMega, 200 * kMega}) > 0);
+  CHECK(use_together({10 * kMega, 20 * kMega, 40 * kMega}) <= 2);
+  CHECK(use_together({100 * kMega, 200 * kMega}) <= 2);
+  CHECK(use_together({30 * kMega, 60 * kMega, 10 * kMega}) <= 2);
+  CHECK(use_together({200 * kMega, 100 * kMega}) <= 2);
+  CHECK(pool.free_bytes() == 300 * kMega);
+}
+
 TEST_CASE("free and used blocks together are never more than was in use at once") {
   BlockPool pool;
   std::vector<Block> used;
