@@ -16,20 +16,21 @@ constexpr int kGranule = VolumeShape::kGranule;
 // wait for its least cost at one pixel before the next; meanwhile the other lines advance.
 constexpr int kBand = 4;
 
-template <class See>
-void for_each_step(const Pass& pass, See see) {
-  for (const Path& path : pass.paths) {
-    for (const Direction x : path.steps)
-      see(pixels_along(x, pass.along), lines_across(x, pass.across));
-  }
+/// Those of the first path, of the second...
+std::vector<Direction> all_steps(const Pass& pass) {
+  std::vector<Direction> steps;
+  for (const Path& path : pass.paths)
+    steps.insert(steps.end(), path.steps.begin(), path.steps.end());
+  return steps;
 }
 
 /// How far line v - 1 must be ahead of line v.
 int find_lag(const Pass& pass) {
   int lag = 0;
-  for_each_step(pass, [&](int along, int across) {
+  for (const Direction x : all_steps(pass)) {
+    const int along = pixels_along(x, pass.along), across = lines_across(x, pass.across);
     if (across > 0) lag = std::max(lag, (-along + across - 1) / across);
-  });
+  }
   return lag;
 }
 
@@ -37,7 +38,8 @@ int find_lag(const Pass& pass) {
 /// line of it is at pixel u, the ones that look back at it are at u - 2 * lag or before.
 LinesKept lines_kept(const Pass& pass, int lines) {
   int looked_back = 0;
-  for_each_step(pass, [&](int, int across) { looked_back = std::max(looked_back, across); });
+  for (const Direction x : all_steps(pass))
+    looked_back = std::max(looked_back, lines_across(x, pass.across));
   const int bands = (lines + kBand - 1) / kBand;
   return {.bands = std::min(thread_count() + 1, bands),
           .band_lines = kBand,
@@ -58,24 +60,21 @@ PassRunner<Cell>::PassRunner(const CostVolume& costs, const PenaltyField& penalt
       frame_(shape_.size(), pass.along, pass.across),
       lag_(find_lag(pass)),
       lines_(layout, frame_, static_cast<int>(pass.paths.size()), lines_kept(pass, frame_.lines())),
+      penalties_(penalties, all_steps(pass),
+                 frame_.lines_are_rows() ? lines_.slots() : shape_.height(), shape_.width(),
+                 shape_.hull(), 1 << step.bits),
       // A slice, a granule before it, and what copying whole granules writes behind it.
       scratch_stride_(VolumeShape::rounded_up(shape_.max_count()) + 3 * kGranule) {
-  const int penalty_slots = frame_.lines_are_rows() ? lines_.slots() : shape_.height();
+  for (const Direction x : all_steps(pass))
+    steps_.push_back({pixels_along(x, pass.along), lines_across(x, pass.across)});
   step_.paths = static_cast<int>(pass.paths.size());
   step_.terms = static_cast<int>(pass.paths.front().steps.size());
-  for (const Path& path : pass.paths) {
-    for (const Direction x : path.steps) {
-      steps_.push_back({pixels_along(x, pass.along), lines_across(x, pass.across),
-                        StepPenalties<Cell>(penalties, x, penalty_slots, shape_.width(),
-                                            shape_.hull(), 1 << step.bits)});
-      step_.match_classes = std::max(step_.match_classes, steps_.back().penalties.match_classes());
-      same_penalties_ = same_penalties_ && steps_.back().penalties.same_everywhere();
-    }
-  }
-  const auto stride = static_cast<std::size_t>(scratch_stride_);
-  no_classes_.assign(stride, 0);
-  scratch_.assign(static_cast<std::size_t>(lines_.slots()),
-                  std::vector<Cell>(stride * kMostPaths * kMostTerms));
+  step_.match_classes = penalties_.match().count();
+  if (step_.match_classes > 1 && !penalties_.match().packed())
+    step_.class_plane = penalties_.match().plane_stride();
+  scratch_.assign(
+      static_cast<std::size_t>(lines_.slots()),
+      std::vector<Cell>(static_cast<std::size_t>(scratch_stride_) * kMostPaths * kMostTerms));
   extend_ = choose_extend_paths<Cell>(step_);
 }
 
@@ -85,7 +84,7 @@ void PassRunner<Cell>::run(LineProgress& progress) {
   // Rows of penalty classes are asked for row by row. A pass along columns crosses all rows with
   // each line, so that it needs them all beforehand.
   if (!frame_.lines_are_rows())
-    parallel_for(0, shape_.height(), [&](int y) { load_penalties(y, y); });
+    parallel_for(0, shape_.height(), [&](int y) { penalties_.load(y, y); });
   // Line i of a band is i * lag pixels behind its first one, so that a band is a line of its own
   // kind: pixels first to last of it are pixels first - i * lag to last - i * lag of line i.
   const int lines = frame_.lines(), length = frame_.length(), lag = lag_;
@@ -111,12 +110,7 @@ void PassRunner<Cell>::run(LineProgress& progress) {
 template <class Cell>
 void PassRunner<Cell>::begin_band(int v, int count) {
   if (!frame_.lines_are_rows()) return;
-  for (int i = v; i < v + count; ++i) load_penalties(lines_.slot(i), frame_.pixel(0, i).y);
-}
-
-template <class Cell>
-void PassRunner<Cell>::load_penalties(int slot, int y) {
-  for (Step& step : steps_) step.penalties.load(slot, y);
+  for (int i = v; i < v + count; ++i) penalties_.load(lines_.slot(i), frame_.pixel(0, i).y);
 }
 
 template <class Cell>
@@ -128,8 +122,7 @@ auto PassRunner<Cell>::begin_line(int v) -> Line {
     line.back[i] = lines_.line(v - steps_[i].across) - steps_[i].along;
   line.penalty_slot = frame_.lines_are_rows() ? slot : -1;
   line.scratch = scratch_[static_cast<std::size_t>(slot)].data();
-  line.has_doubles = false;
-  if (same_penalties_) find_penalties(line, {0, 0});
+  line.base_classes = -1;
   return line;
 }
 
@@ -161,7 +154,7 @@ void PassRunner<Cell>::visit(Line& line, int u) {
   step.count = slice.count;
   step.room = room;
   step.least = pixel.least;
-  if (!same_penalties_ || line.has_doubles) find_penalties(line, at);
+  find_penalties(line, at, slice.begin);
   if (step_.terms == 1) {
     find_terms<1>(line, u, pixel);
   } else {
@@ -171,17 +164,22 @@ void PassRunner<Cell>::visit(Line& line, int u) {
 }
 
 template <class Cell>
-void PassRunner<Cell>::find_penalties(Line& line, cv::Point at) const {
+void PassRunner<Cell>::find_penalties(Line& line, cv::Point at, int begin) const {
   const int slot = line.penalty_slot < 0 ? at.y : line.penalty_slot;
-  const Step* step = steps_.data();
+  if (step_.match_classes > 1) line.step.classes = penalties_.match_at(slot, at.x, begin);
+  const PixelClasses& base = penalties_.base();
+  static constexpr std::uint8_t kOnlyClass = 0;
+  const std::uint8_t* const classes = base.count() == 1 ? &kOnlyClass : base.at(slot, at.x);
+  if (*classes == line.base_classes) return;
+  line.base_classes = base.count() == 1 || base.packed() ? *classes : -1;
+  int step = 0;
   for (int path = 0; path < step_.paths; ++path) {
     for (int i = 0; i < step_.terms; ++i, ++step) {
       Term<Cell>& term = line.step.paths[path].terms[i];
-      term.classes = step->penalties.match_classes() == 1
-                         ? no_classes_.data()
-                         : step->penalties.classes(slot, at.x, shape_.begin(at.y, at.x));
-      term.p1 = step->penalties.p1(slot, at.x);
-      term.p2 = step->penalties.p2(slot, at.x);
+      const int base_class = base.count() == 1 ? 0 : base.get(step, classes);
+      term.step = step;
+      term.p1 = penalties_.p1(step, base_class);
+      term.p2 = penalties_.p2(step, base_class);
     }
   }
 }
@@ -193,7 +191,6 @@ template <int kTerms>
 void PassRunner<Cell>::find_terms(Line& line, int u, const Pixel& pixel) const {
   Cell* scratch = line.scratch;
   const Pixel* const* back = line.back;
-  line.has_doubles = false;
   for (int path = 0; path < step_.paths; ++path) {
     Extension<Cell>& extension = line.step.paths[path];
     extension.costs = pixel.cells + std::ptrdiff_t{pixel.stride} * path;
@@ -206,7 +203,7 @@ void PassRunner<Cell>::find_terms(Line& line, int u, const Pixel& pixel) const {
       const bool counts[] = {back[-2][u].counts(), back[-1][u].counts()};
       if (counts[0] == counts[1]) continue;
       extension.terms[counts[0] ? 1 : 0] = extension.terms[counts[0] ? 0 : 1];
-      line.has_doubles = true;
+      line.base_classes = -1;  // the term has the other one's penalties
     }
   }
 }

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "plugins/aggregation/shared/line_progress.hpp"
+#include "plugins/aggregation/shared/pass_penalties.hpp"
 #include "plugins/aggregation/shared/path_lines.hpp"
 #include "plugins/aggregation/shared/pixel_step.hpp"
-#include "plugins/aggregation/shared/step_penalties.hpp"
 #include "xgm/data/volume.hpp"
 
 namespace xgm::aggregation {
@@ -28,7 +28,6 @@ class PassRunner {
 
   struct Step {
     int along, across;  // p - x is pixel u - along of line v - across
-    StepPenalties<Cell> penalties;
   };
   /// A line of pixels and what it looks back at.
   struct Line {
@@ -37,17 +36,16 @@ class PassRunner {
     int penalty_slot;                            // -1: that of the image row
     Cell* scratch;                               // a slice per term that has to be joined
     PixelStep<Cell> step;
-    bool has_doubles;  // terms that took the place, and the penalties, of another one
+    int base_classes;  // those that the terms have the penalties of, if packed; -1 if any has not
   };
 
-  void load_penalties(int slot, int y);
   void begin_band(int v, int count);
   Line begin_line(int v);
   cv::Point pixel_ahead(const Line& line, int u, int pixels) const;
   void visit(Line& line, int u);
   template <int kTerms>
   void find_terms(Line& line, int u, const Pixel& pixel) const;
-  void find_penalties(Line& line, cv::Point at) const;
+  void find_penalties(Line& line, cv::Point at, int begin) const;
   const Cell* previous_cells(const Pixel& pixel, const Pixel& previous, int path,
                              Cell* scratch) const;
   static const Cell* joined(const Pixel& pixel, const Pixel& previous, const Cell* cells,
@@ -59,11 +57,10 @@ class PassRunner {
   PassStep step_;
   PassFrame frame_;
   std::vector<Step> steps_;  // those of the first path, of the second...
-  bool same_penalties_ = true;
   int lag_;
   PathLines<Cell> lines_;
+  PassPenalties<Cell> penalties_;
   std::vector<std::vector<Cell>> scratch_;  // one per line of the ring
-  std::vector<std::uint8_t> no_classes_;    // where one step has no match classes and another has
   int scratch_stride_;
   ExtendPaths<Cell> extend_;
 };

@@ -20,10 +20,10 @@ inline constexpr int kFarthest = 2;   ///< pixels and lines that a step leads ba
 ///   min(L(q, d), L(q, d+-1) + P1, min_i L(q, i) + P2) - min_i L(q, i).
 template <class Cell>
 struct Term {
-  const Cell* previous;         ///< L(q, d) for p's disparities, and one more on either side
-  Cell least;                   ///< min_i L(q, i)
-  const std::uint8_t* classes;  ///< match class of each disparity; only if there are several
-  const Cell* p1;               ///< by match class
+  const Cell* previous;  ///< L(q, d) for p's disparities, and one more on either side
+  Cell least;            ///< min_i L(q, i)
+  int step;              ///< which one of the pass it is
+  const Cell* p1;        ///< by match class
   const Cell* p2;
 };
 
@@ -39,6 +39,7 @@ template <class Cell>
 struct PixelStep {
   const std::uint8_t* cost;
   std::uint16_t* sums;
+  const std::uint8_t* classes;    ///< match classes of all steps, of each disparity
   const std::uint8_t* next_cost;  ///< of a pixel that follows soon: worth having in the cache
   const std::uint16_t* next_sums;
   int count, room;
@@ -51,6 +52,7 @@ struct PassStep {
   int paths = 0;
   int terms = 0;          ///< of each path, 1 or 2
   int match_classes = 1;  ///< the most that a table of penalties has
+  int class_plane = 0;    ///< from one step's classes to the next one's; 0: step t's are in bit t
   bool first = false;     ///< whether the sums are begun, with cost_weight * C, or added to
   int bits = 0;           ///< fraction bits of path costs and sums
   int cost_weight = 1;    ///< how often C is in the sums beside what paths bring

@@ -64,13 +64,15 @@ HWY_INLINE hn::VFromD<D> load_cost(D d, const std::uint8_t* cost, int bits, int 
   return hn::IfThenElse(exists, c, hn::Set(d, kInfinite<hn::TFromD<D> >));
 }
 
-/// Where the match class is 1.
-template <class D>
-HWY_INLINE hn::MFromD<D> second_class(D d, const std::uint8_t* classes) {
-  if constexpr (sizeof(hn::TFromD<D>) == 1) {
-    return hn::Ne(hn::LoadU(d, classes), hn::Zero(d));
+/// The match classes of a block's disparities.
+template <bool kClasses, class D>
+HWY_INLINE hn::VFromD<D> load_classes(D d, const std::uint8_t* classes) {
+  if constexpr (!kClasses) {
+    return hn::Zero(d);
+  } else if constexpr (sizeof(hn::TFromD<D>) == 1) {
+    return hn::LoadU(d, classes);
   } else {
-    return hn::Ne(hn::PromoteTo(d, hn::LoadU(hn::Rebind<std::uint8_t, D>(), classes)), hn::Zero(d));
+    return hn::PromoteTo(d, hn::LoadU(hn::Rebind<std::uint8_t, D>(), classes));
   }
 }
 
@@ -93,7 +95,9 @@ class TermInRegisters {
   using Cell = hn::TFromD<D>;
 
   HWY_INLINE explicit TermInRegisters(const Term<Cell>& term)
-      : previous_(term.previous), classes_(term.classes), least_(hn::Set(D(), term.least)) {
+      : previous_(term.previous),
+        least_(hn::Set(D(), term.least)),
+        bit_(hn::Set(D(), static_cast<Cell>(1 << term.step))) {
     for (int i = 0; i < kTable; ++i) {
       p1_[i] = hn::Set(D(), term.p1[i]);
       far_[i] = hn::SaturatedAdd(least_, hn::Set(D(), term.p2[i]));
@@ -101,12 +105,12 @@ class TermInRegisters {
   }
 
   template <class Block>
-  HWY_INLINE hn::VFromD<Block> brought(Block d, int i) const {
+  HWY_INLINE hn::VFromD<Block> brought(Block d, hn::VFromD<Block> classes, int i) const {
     const Cell* const at = previous_ + i;
     auto p1 = first_lanes(d, D(), p1_[0]);
     auto far = first_lanes(d, D(), far_[0]);
     if constexpr (kClasses) {
-      const auto second = second_class(d, classes_ + i);
+      const auto second = hn::TestBit(classes, first_lanes(d, D(), bit_));
       p1 = hn::IfThenElse(second, first_lanes(d, D(), p1_[1]), p1);
       far = hn::IfThenElse(second, first_lanes(d, D(), far_[1]), far);
     }
@@ -119,8 +123,7 @@ class TermInRegisters {
   static constexpr int kTable = kClasses ? 2 : 1;
 
   const Cell* previous_;
-  const std::uint8_t* classes_;
-  hn::VFromD<D> least_, p1_[kTable], far_[kTable];
+  hn::VFromD<D> least_, bit_, p1_[kTable], far_[kTable];
 };
 
 /// The mean, halves to even: AverageRound rounds them up, which is odd where it must not be.
@@ -233,9 +236,10 @@ class PathInRegisters {
 
   /// Writes a block of path costs. Returns what the path brings.
   template <class Block>
-  HWY_INLINE hn::VFromD<Block> extend(Block d, hn::VFromD<Block> cost, int i) {
-    auto brought = one_.brought(d, i);
-    if constexpr (kTerms == 2) brought = mean(d, brought, other_.brought(d, i));
+  HWY_INLINE hn::VFromD<Block> extend(Block d, hn::VFromD<Block> cost, hn::VFromD<Block> classes,
+                                      int i) {
+    auto brought = one_.brought(d, classes, i);
+    if constexpr (kTerms == 2) brought = mean(d, brought, other_.brought(d, classes, i));
     const auto extended = hn::SaturatedAdd(cost, brought);
     hn::StoreU(extended, d, costs_ + i);
     least_ = hn::Min(least_, repeated(d, D(), extended));
@@ -260,6 +264,7 @@ class Group {
   HWY_INLINE Group(const PassStep& pass, const PixelStep<Cell>& pixel, int first_path)
       : pass_(pass),
         cost_(pixel.cost),
+        classes_(pixel.classes),
         next_cost_(pixel.next_cost),
         sums_(pixel.sums),
         next_sums_(pixel.next_sums),
@@ -306,7 +311,8 @@ class Group {
   HWY_INLINE void extend_block(Block d, int i, Paths&... paths) {
     if (prefetches_) prefetch(d, i);
     const auto cost = load_cost(d, cost_ + i, bits_, count_ - i);
-    const hn::VFromD<Block> brought[kPaths] = {paths.extend(d, cost, i)...};
+    const auto classes = load_classes<kClasses>(d, classes_ + i);
+    const hn::VFromD<Block> brought[kPaths] = {paths.extend(d, cost, classes, i)...};
     Sums<Block> sums;
     for (int k = 0; k < kPaths; ++k) {
       if (kPaths > 1 && pairs_fit_) {
@@ -339,7 +345,7 @@ class Group {
 
   // Copies, for the reason that TermInRegisters gives.
   const PassStep pass_;
-  const std::uint8_t *cost_, *next_cost_;
+  const std::uint8_t *cost_, *classes_, *next_cost_;
   std::uint16_t* sums_;
   const std::uint16_t* next_sums_;
   int count_, room_, bits_;
@@ -383,7 +389,7 @@ ExtendPaths<Cell> choose_classes(const PassStep& pass) {
 
 template <class Cell>
 ExtendPaths<Cell> choose(const PassStep& pass) {
-  if (pass.match_classes > 2) return extend_paths_plain<Cell>;
+  if (pass.class_plane != 0) return extend_paths_plain<Cell>;
   return pass.terms == 1 ? choose_classes<Cell, 1>(pass) : choose_classes<Cell, 2>(pass);
 }
 

@@ -9,8 +9,15 @@ namespace xgm::aggregation {
 namespace {
 
 template <class Cell>
-int brought_by(const Term<Cell>& term, int match_classes, int i) {
-  const int match_class = match_classes > 1 ? term.classes[i] : 0;
+int match_class_of(const PassStep& pass, const PixelStep<Cell>& pixel, int step, int i) {
+  if (pass.match_classes == 1) return 0;
+  return pass.class_plane == 0 ? pixel.classes[i] >> step & 1
+                               : pixel.classes[step * pass.class_plane + i];
+}
+
+template <class Cell>
+int brought_by(const PassStep& pass, const PixelStep<Cell>& pixel, const Term<Cell>& term, int i) {
+  const int match_class = match_class_of(pass, pixel, term.step, i);
   const int same = term.previous[i];
   const int beside = std::min(term.previous[i - 1], term.previous[i + 1]);
   const int far = term.least + term.p2[match_class];
@@ -18,10 +25,11 @@ int brought_by(const Term<Cell>& term, int match_classes, int i) {
 }
 
 template <class Cell>
-int brought_by(const PassStep& pass, const Extension<Cell>& path, int i) {
-  const int first = brought_by(path.terms[0], pass.match_classes, i);
+int brought_by(const PassStep& pass, const PixelStep<Cell>& pixel, const Extension<Cell>& path,
+               int i) {
+  const int first = brought_by(pass, pixel, path.terms[0], i);
   if (pass.terms == 1) return first;
-  const int twice = first + brought_by(path.terms[1], pass.match_classes, i);
+  const int twice = first + brought_by(pass, pixel, path.terms[1], i);
   const int down = twice / 2;
   return down + (twice & down & 1);
 }
@@ -43,7 +51,7 @@ void extend_paths_plain(const PassStep& pass, const PixelStep<Cell>& pixel) {
     const bool matchable = i < pixel.count && pixel.cost[i] != CostVolume::kNoMatch;
     int sum = 0;
     for (int k = 0; k < pass.paths; ++k) {
-      const int brought = brought_by(pass, pixel.paths[k], i);
+      const int brought = brought_by(pass, pixel, pixel.paths[k], i);
       const int cost = matchable ? (pixel.cost[i] << pass.bits) + brought : kInfinite<Cell>;
       pixel.paths[k].costs[i] = static_cast<Cell>(cost);
       pixel.least[k] = std::min(pixel.least[k], static_cast<Cell>(cost));

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugins/aggregation/shared/pass_penalties.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "xgm/data/volume.hpp"
+
+namespace xgm::aggregation {
+namespace {
+
+template <class Classes>
+int most(const std::vector<PenaltyTable>& tables, Classes classes) {
+  int most = 1;
+  for (const PenaltyTable& table : tables) most = std::max(most, table.*classes);
+  return most;
+}
+
+}  // namespace
+
+PixelClasses::PixelClasses(int classes, int steps, int rows, int width)
+    : classes_(classes), stride_(width), packed_(classes == 2 && steps <= kMostPacked) {
+  if (classes > 1) bytes_ = cv::Mat1b(rows, packed_ ? width : width * steps, std::uint8_t{0});
+}
+
+void PixelClasses::clear(int slot) {
+  if (!bytes_.empty()) bytes_.row(slot).setTo(0);
+}
+
+template <class Cell>
+std::vector<PenaltyTable> PassPenalties<Cell>::tables(const PenaltyField& field,
+                                                      const std::vector<Direction>& steps) {
+  std::vector<PenaltyTable> tables;
+  for (const Direction step : steps) tables.push_back(field.table(step));
+  return tables;
+}
+
+template <class Cell>
+PassPenalties<Cell>::PassPenalties(const PenaltyField& field, std::vector<Direction> steps,
+                                   int rows, int width, Interval hull, int unit)
+    : PassPenalties(field, steps, tables(field, steps), rows, width, hull, unit) {}
+
+template <class Cell>
+PassPenalties<Cell>::PassPenalties(const PenaltyField& field, std::vector<Direction> steps,
+                                   const std::vector<PenaltyTable>& tables, int rows, int width,
+                                   Interval hull, int unit)
+    : field_(field),
+      steps_(std::move(steps)),
+      width_(width),
+      hull_(hull),
+      base_(most(tables, &PenaltyTable::base_classes), static_cast<int>(tables.size()), rows,
+            width),
+      // Whole granules are read at any disparity of the hull.
+      match_(most(tables, &PenaltyTable::match_classes), static_cast<int>(tables.size()), rows,
+             width + hull.size() + VolumeShape::kGranule) {
+  for (const PenaltyTable& table : tables) {
+    for (int base = 0; base < base_.count(); ++base) {
+      for (int match = 0; match < match_.count(); ++match) {
+        const PenaltyPair& pair = table.at(std::min(base, table.base_classes - 1),
+                                           std::min(match, table.match_classes - 1));
+        p1_.push_back(static_cast<Cell>(pair.p1 * unit));
+        p2_.push_back(static_cast<Cell>(pair.p2 * unit));
+      }
+    }
+  }
+}
+
+template <class Cell>
+void PassPenalties<Cell>::load(int slot, int y) {
+  if (same_everywhere()) return;
+  const auto width = static_cast<std::size_t>(width_);
+  std::vector<std::uint8_t> base(width), match(width);
+  base_.clear(slot);
+  match_.clear(slot);
+  // Match pixel x - d is element width - 1 - x + d - hull.begin; those of the image begin at:
+  const int first = -hull_.begin;
+  const int begin = std::max(0, -first);
+  const int end = std::min(width_, match_.plane_stride() - first);
+  for (int step = 0; step < static_cast<int>(steps_.size()); ++step) {
+    field_.classify(steps_[static_cast<std::size_t>(step)], y, base, match);
+    if (base_.count() > 1) {
+      for (int x = 0; x < width_; ++x) base_.set(step, slot, x, base[static_cast<std::size_t>(x)]);
+    }
+    if (match_.count() == 1) continue;
+    for (int i = begin; i < end; ++i) {
+      match_.set(step, slot, first + i, match[static_cast<std::size_t>(width_ - 1 - i)]);
+    }
+  }
+}
+
+template class PassPenalties<std::uint8_t>;
+template class PassPenalties<std::uint16_t>;
+
+}  // namespace xgm::aggregation

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// P1 and P2 of all steps of a pass: tables by class, and the classes of the pixels.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "xgm/data/disparity_range.hpp"
+#include "xgm/stage/penalty.hpp"
+
+namespace xgm::aggregation {
+
+/// The classes that all steps of a pass give to pixels. Where there are two per step, as most
+/// penalties have, a byte holds those of all steps, step t's in bit t. Else each step has a plane
+/// of bytes.
+class PixelClasses {
+ public:
+  static constexpr int kMostPacked = 8;  ///< steps
+
+  /// `classes` is the largest number of any step.
+  PixelClasses(int classes, int steps, int rows, int width);
+
+  int count() const { return classes_; }
+  bool packed() const { return packed_; }
+  int plane_stride() const { return stride_; }
+  /// All classes of the slot become 0, for set() to begin with.
+  void clear(int slot);
+  void set(int step, int slot, int x, int value) {
+    at(slot, x)[packed_ ? 0 : step * stride_] |=
+        static_cast<std::uint8_t>(packed_ ? value << step : value);
+  }
+  std::uint8_t* at(int slot, int x) { return bytes_[slot] + x; }
+  const std::uint8_t* at(int slot, int x) const { return bytes_[slot] + x; }
+  int get(int step, const std::uint8_t* pixel) const {
+    return packed_ ? *pixel >> step & 1 : pixel[step * stride_];
+  }
+
+ private:
+  int classes_, stride_;
+  bool packed_;
+  cv::Mat1b bytes_;  // slot; planes, of x each. Empty if there is one class
+};
+
+/// Holds the classes of as many image rows as the caller needs at a time: `rows` slots, filled by
+/// load(). Different slots may be used from different threads.
+template <class Cell>
+class PassPenalties {
+ public:
+  /// Penalties are multiplied by `unit`. `width` is the image's, `hull` holds all disparities that
+  /// are asked for.
+  PassPenalties(const PenaltyField& field, std::vector<Direction> steps, int rows, int width,
+                Interval hull, int unit);
+
+  /// Fetches the classes of image row y. Does nothing if there is one class only.
+  void load(int slot, int y);
+
+  bool same_everywhere() const { return base_.count() == 1 && match_.count() == 1; }
+  const PixelClasses& base() const { return base_; }
+  /// The match pixels from right to left, so that those of ascending disparities lie side by side.
+  const PixelClasses& match() const { return match_; }
+  /// Classes of the match pixels of disparities begin, begin + 1, ... at pixel x. Where the match
+  /// pixel lies outside the image nothing can be matched, and any class will do.
+  const std::uint8_t* match_at(int slot, int x, int begin) const {
+    return match_.at(slot, width_ - 1 - x + begin - hull_.begin);
+  }
+  /// Penalties of a step, one per match class.
+  const Cell* p1(int step, int base_class) const { return p1_.data() + row(step, base_class); }
+  const Cell* p2(int step, int base_class) const { return p2_.data() + row(step, base_class); }
+
+ private:
+  static std::vector<PenaltyTable> tables(const PenaltyField& field,
+                                          const std::vector<Direction>& steps);
+  PassPenalties(const PenaltyField& field, std::vector<Direction> steps,
+                const std::vector<PenaltyTable>& tables, int rows, int width, Interval hull,
+                int unit);
+
+  std::size_t row(int step, int base_class) const {
+    return static_cast<std::size_t>((step * base_.count() + base_class) * match_.count());
+  }
+
+  const PenaltyField& field_;
+  std::vector<Direction> steps_;
+  int width_;
+  Interval hull_;
+  PixelClasses base_, match_;
+  std::vector<Cell> p1_, p2_;  // steps x base classes x match classes
+};
+
+extern template class PassPenalties<std::uint8_t>;
+extern template class PassPenalties<std::uint16_t>;
+
+}  // namespace xgm::aggregation
