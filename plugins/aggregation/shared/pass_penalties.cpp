@@ -27,6 +27,16 @@ void PixelClasses::clear(int slot) {
   if (!bytes_.empty()) bytes_.row(slot).setTo(0);
 }
 
+void PixelClasses::add(int step, int slot, int first, std::span<const std::uint8_t> classes) {
+  if (bytes_.empty()) return;
+  const int begin = std::max(0, -first);
+  const int end = std::min(static_cast<int>(classes.size()), stride_ - first);
+  const int shift = packed_ ? step : 0;
+  const std::uint8_t* const from = classes.data();
+  std::uint8_t* const to = bytes_[slot] + (packed_ ? 0 : step * stride_) + first;
+  for (int i = begin; i < end; ++i) to[i] |= static_cast<std::uint8_t>(from[i] << shift);
+}
+
 template <class Cell>
 std::vector<PenaltyTable> PassPenalties<Cell>::tables(const PenaltyField& field,
                                                       const std::vector<Direction>& steps) {
@@ -72,19 +82,12 @@ void PassPenalties<Cell>::load(int slot, int y) {
   std::vector<std::uint8_t> base(width), match(width);
   base_.clear(slot);
   match_.clear(slot);
-  // Match pixel x - d is element width - 1 - x + d - hull.begin; those of the image begin at:
-  const int first = -hull_.begin;
-  const int begin = std::max(0, -first);
-  const int end = std::min(width_, match_.plane_stride() - first);
   for (int step = 0; step < static_cast<int>(steps_.size()); ++step) {
     field_.classify(steps_[static_cast<std::size_t>(step)], y, base, match);
-    if (base_.count() > 1) {
-      for (int x = 0; x < width_; ++x) base_.set(step, slot, x, base[static_cast<std::size_t>(x)]);
-    }
-    if (match_.count() == 1) continue;
-    for (int i = begin; i < end; ++i) {
-      match_.set(step, slot, first + i, match[static_cast<std::size_t>(width_ - 1 - i)]);
-    }
+    base_.add(step, slot, 0, base);
+    // Match pixel x - d is element width - 1 - x + d - hull.begin.
+    std::ranges::reverse(match);
+    match_.add(step, slot, -hull_.begin, match);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <opencv2/core.hpp>
+#include <span>
 #include <vector>
 
 #include "xgm/data/disparity_range.hpp"
@@ -25,13 +26,10 @@ class PixelClasses {
   int count() const { return classes_; }
   bool packed() const { return packed_; }
   int plane_stride() const { return stride_; }
-  /// All classes of the slot become 0, for set() to begin with.
+  /// All classes of the slot become 0, for add() to begin with.
   void clear(int slot);
-  void set(int step, int slot, int x, int value) {
-    at(slot, x)[packed_ ? 0 : step * stride_] |=
-        static_cast<std::uint8_t>(packed_ ? value << step : value);
-  }
-  std::uint8_t* at(int slot, int x) { return bytes_[slot] + x; }
+  /// The classes that a step gives to pixels first, first + 1...; those that do not exist are left.
+  void add(int step, int slot, int first, std::span<const std::uint8_t> classes);
   const std::uint8_t* at(int slot, int x) const { return bytes_[slot] + x; }
   int get(int step, const std::uint8_t* pixel) const {
     return packed_ ? *pixel >> step & 1 : pixel[step * stride_];

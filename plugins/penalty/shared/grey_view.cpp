@@ -1,21 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
-// Differences along a path, without a branch per pixel for the image border.
+// Differences along a path, without a branch per pixel.
 #include "plugins/penalty/shared/grey_view.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace xgm::penalty {
 
+GreyView::GreyView(const Image& image) : grey_(image.grey()) {
+  if (image.valid.empty()) return;
+  grey_ = grey_.clone();
+  grey_.setTo(std::numeric_limits<float>::quiet_NaN(), image.valid == 0);
+}
+
 void GreyView::differences(Direction r, int y, std::span<float> out) const {
   std::fill(out.begin(), out.end(), 0.0F);
-  const int before = y - r.dy;
-  if (before < 0 || before >= grey_.rows) return;
-  const int begin = std::max(0, r.dx);
+  const int y_before = y - r.dy;
+  if (y_before < 0 || y_before >= grey_.rows) return;
+  const float* const own = grey_[y];
+  const float* const before = grey_[y_before] - r.dx;
+  float* const differences = out.data();
   const int end = std::min(grey_.cols, grey_.cols + r.dx);
-  for (int x = begin; x < end; ++x) {
-    if (!is_valid(y, x) || !is_valid(before, x - r.dx)) continue;
-    out[static_cast<std::size_t>(x)] = std::abs(grey_(y, x) - grey_(before, x - r.dx));
+  for (int x = std::max(0, r.dx); x < end; ++x) {
+    const float difference = std::abs(own[x] - before[x]);
+    differences[x] = difference > 0 ? difference : 0;  // also where one is masked
   }
 }
 

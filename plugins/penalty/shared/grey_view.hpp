@@ -12,17 +12,14 @@ namespace xgm::penalty {
 /// One view as a grey image.
 class GreyView {
  public:
-  explicit GreyView(const Image& image) : grey_(image.grey()), valid_(image.valid) {}
+  explicit GreyView(const Image& image);
 
   /// |I(p) - I(p - r)| in grey levels for the pixels p of row y. 0 where one of the two is masked
   /// or outside the image: nothing is known of a step there. `out` has the image's width.
   void differences(Direction r, int y, std::span<float> out) const;
 
  private:
-  bool is_valid(int y, int x) const { return valid_.empty() || valid_(y, x) != 0; }
-
-  cv::Mat1f grey_;
-  cv::Mat1b valid_;
+  cv::Mat1f grey_;  // NaN where masked
 };
 
 }  // namespace xgm::penalty
