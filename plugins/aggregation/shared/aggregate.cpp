@@ -2,7 +2,7 @@
 #include "plugins/aggregation/shared/aggregate.hpp"
 
 #include "plugins/aggregation/shared/fixed_point.hpp"
-#include "plugins/aggregation/shared/pass_runner.hpp"
+#include "plugins/aggregation/shared/run_pass.hpp"
 #include "xgm/base/error.hpp"
 
 namespace xgm::aggregation {
@@ -20,10 +20,10 @@ void run_passes(const CostVolume& costs, const PenaltyField& penalties,
     step.bits = sums.fraction_bits;
     step.cost_weight = bounds.cost_weight;
     step.p2 = bounds.p2 << step.bits;
-    PassRunner<Cell> runner(costs, penalties, passes[i], layout, step, sums);
+    PassWalk<Cell> walk(costs, penalties, passes[i], layout, step, sums);
     const double done = share * static_cast<double>(i);
-    LineProgress progress(context.part(done, done + share), runner.lines());
-    runner.run(progress);
+    LineProgress progress(context.part(done, done + share), walk.frame().lines());
+    run_pass(walk, progress);
   }
 }
 

@@ -7,8 +7,7 @@
 
 #include <cstring>
 
-#include "plugins/aggregation/shared/pixel_step.hpp"
-#include "xgm/data/volume.hpp"
+#include "plugins/aggregation/shared/advance.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "plugins/aggregation/shared/pixel_step_kernel.cpp"
@@ -18,11 +17,34 @@
 HWY_BEFORE_NAMESPACE();
 namespace xgm::aggregation::HWY_NAMESPACE {
 
+/// Extends with `Extend` at each pixel.
+template <class Extend, class Cell>
+void advance(PassWalk<Cell>& walk, Band<Cell>& band, int first, int last) {
+  const int lag = walk.lag(), length = walk.frame().length(), count = band.count;
+  for (int u = first; u < last; ++u) {
+    for (int i = 0; i < count; ++i) {
+      const int own = u - i * lag;
+      if (own < 0 || own >= length) continue;
+      WalkedLine<Cell>& line = band.lines[i];
+      const WalkedPixel<Cell> pixel = walk.open(line, own);
+      if (pixel.room > 0) Extend::extend(walk, line, pixel);
+    }
+  }
+}
+
+struct Plainly {
+  template <class Cell>
+  static void extend(const PassWalk<Cell>& walk, const WalkedLine<Cell>& line,
+                     const WalkedPixel<Cell>& pixel) {
+    extend_plain(walk, line, pixel);
+  }
+};
+
 #if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128
 
 template <class Cell>
-ExtendPaths<Cell> choose(const PassStep&) {
-  return extend_paths_plain<Cell>;
+Advance<Cell> choose(const PassStep&) {
+  return advance<Plainly, Cell>;
 }
 
 #else
@@ -228,10 +250,11 @@ class PathInRegisters {
  public:
   using Cell = hn::TFromD<D>;
 
-  HWY_INLINE explicit PathInRegisters(const Extension<Cell>& path)
-      : one_(path.terms[0]),
-        other_(path.terms[kTerms - 1]),
-        costs_(path.costs),
+  HWY_INLINE PathInRegisters(const PassWalk<Cell>& walk, const WalkedLine<Cell>& line,
+                             const WalkedPixel<Cell>& pixel, int path)
+      : one_(walk.term(line, pixel, path, 0, kTerms)),
+        other_(walk.term(line, pixel, path, kTerms - 1, kTerms)),
+        costs_(pixel.costs(path)),
         least_(hn::Set(D(), kInfinite<Cell>)) {}
 
   /// Writes a block of path costs. Returns what the path brings.
@@ -261,31 +284,23 @@ class Group {
  public:
   using Cell = hn::TFromD<D>;
 
-  HWY_INLINE Group(const PassStep& pass, const PixelStep<Cell>& pixel, int first_path)
+  HWY_INLINE Group(const PassStep& pass, const WalkedPixel<Cell>& pixel, int first_path)
       : pass_(pass),
-        cost_(pixel.cost),
-        classes_(pixel.classes),
-        next_cost_(pixel.next_cost),
-        sums_(pixel.sums),
-        next_sums_(pixel.next_sums),
-        count_(pixel.count),
-        room_(pixel.room),
-        bits_(pass.bits),
-        paths_(pixel.paths + first_path),
-        least_(pixel.least + first_path),
-        cost_weight_(static_cast<std::uint16_t>(pass.cost_weight)),
+        pixel_(pixel),
+        first_path_(first_path),
         begins_sums_(pass.first && first_path == 0),
-        prefetches_(first_path == 0),
         pairs_fit_(sizeof(Cell) == 1 && 2 * pass.p2 <= kInfinite<Cell>) {}
 
-  HWY_INLINE void run() {
-    using Path = PathInRegisters<D, kTerms, kClasses>;
+  HWY_INLINE void run(const PassWalk<Cell>& walk, const WalkedLine<Cell>& line) {
+    const auto path = [&](int k) HWY_ATTR {
+      return PathInRegisters<D, kTerms, kClasses>(walk, line, pixel_, first_path_ + k);
+    };
     if constexpr (kPaths == 1) {
-      run_paths(Path(paths_[0]));
+      run_paths(path(0));
     } else if constexpr (kPaths == 2) {
-      run_paths(Path(paths_[0]), Path(paths_[1]));
+      run_paths(path(0), path(1));
     } else {
-      run_paths(Path(paths_[0]), Path(paths_[1]), Path(paths_[2]), Path(paths_[3]));
+      run_paths(path(0), path(1), path(2), path(3));
     }
   }
 
@@ -297,21 +312,21 @@ class Group {
     Cell least[kPaths];
     least_lanes(folds, least);
     int k = 0;
-    ((finish(paths.costs(), least[k], least_[k]), ++k), ...);
+    ((finish(paths.costs(), least[k], pixel_.paths->least[first_path_ + k]), ++k), ...);
   }
 
   template <class Block, class... Paths>
   HWY_INLINE void extend(Block d, int i, Paths&... paths) {
     constexpr int kLanes = static_cast<int>(hn::MaxLanes(Block()));
-    for (; i + kLanes <= room_; i += kLanes) extend_block(d, i, paths...);
+    for (; i + kLanes <= pixel_.room; i += kLanes) extend_block(d, i, paths...);
     if constexpr (kLanes > VolumeShape::kGranule) extend(hn::Half<Block>(), i, paths...);
   }
 
   template <class Block, class... Paths>
   HWY_INLINE void extend_block(Block d, int i, Paths&... paths) {
-    if (prefetches_) prefetch(d, i);
-    const auto cost = load_cost(d, cost_ + i, bits_, count_ - i);
-    const auto classes = load_classes<kClasses>(d, classes_ + i);
+    if (first_path_ == 0) prefetch(d, i);
+    const auto cost = load_cost(d, pixel_.cost + i, pass_.bits, pixel_.count - i);
+    const auto classes = load_classes<kClasses>(d, pixel_.classes + i);
     const hn::VFromD<Block> brought[kPaths] = {paths.extend(d, cost, classes, i)...};
     Sums<Block> sums;
     for (int k = 0; k < kPaths; ++k) {
@@ -323,80 +338,79 @@ class Group {
       }
     }
     if (begins_sums_) {
-      sums.begin(d, cost, cost_weight_, sums_ + i);
+      sums.begin(d, cost, static_cast<std::uint16_t>(pass_.cost_weight), pixel_.sums + i);
     } else {
-      sums.add_to(sums_ + i);
+      sums.add_to(pixel_.sums + i);
     }
   }
 
   HWY_INLINE void finish(Cell* costs, Cell least, Cell& result) const {
-    if (HWY_UNLIKELY(!has_room_for_p2(least, pass_))) lower(costs, room_, least);
+    if (HWY_UNLIKELY(!has_room_for_p2(least, pass_))) lower(costs, pixel_.room, least);
     result = least;
-    std::memset(costs + room_, 0xFF, VolumeShape::kGranule * sizeof(Cell));
+    std::memset(costs + pixel_.room, 0xFF, VolumeShape::kGranule * sizeof(Cell));
   }
 
   template <class Block>
   HWY_INLINE void prefetch(Block, int i) const {
     constexpr std::size_t kCellsOfCacheLine = 64 / sizeof(std::uint16_t);
-    hwy::Prefetch(next_cost_ + i);
+    hwy::Prefetch(pixel_.next_cost + i);
     for (std::size_t cell = 0; cell < hn::MaxLanes(Block()); cell += kCellsOfCacheLine)
-      hwy::Prefetch(next_sums_ + i + cell);
+      hwy::Prefetch(pixel_.next_sums + i + cell);
   }
 
   // Copies, for the reason that TermInRegisters gives.
   const PassStep pass_;
-  const std::uint8_t *cost_, *classes_, *next_cost_;
-  std::uint16_t* sums_;
-  const std::uint16_t* next_sums_;
-  int count_, room_, bits_;
-  const Extension<Cell>* paths_;
-  Cell* least_;
-  std::uint16_t cost_weight_;
-  bool begins_sums_, prefetches_, pairs_fit_;
+  const WalkedPixel<Cell> pixel_;
+  int first_path_;
+  bool begins_sums_, pairs_fit_;
 };
 
-template <class D, int kGroup, int kTerms, bool kClasses, class Cell>
-HWY_INLINE void extend_groups(D, const PassStep& pass, const PixelStep<Cell>& pixel) {
-  const int paths = pass.paths;
-  for (int k = 0; k < paths; k += kGroup) Group<D, kGroup, kTerms, kClasses>(pass, pixel, k).run();
-}
-
-/// Short slices in short vectors, whose minima are found sooner.
+/// All paths of a pixel in groups. Short slices in short vectors, whose minima are found sooner.
 template <class Cell, int kGroup, int kTerms, bool kClasses>
-void extend_paths(const PassStep& pass, const PixelStep<Cell>& pixel) {
-  const hn::CappedTag<Cell, 64 / sizeof(Cell)> widest;
-  if constexpr (sizeof(Cell) == 1 && hn::MaxLanes(widest) > 32) {
-    const hn::Half<decltype(widest)> half;
-    if (pixel.room < 64) {
-      return extend_groups<decltype(half), kGroup, kTerms, kClasses>(half, pass, pixel);
+struct InVectors {
+  static HWY_INLINE void extend(const PassWalk<Cell>& walk, const WalkedLine<Cell>& line,
+                                const WalkedPixel<Cell>& pixel) {
+    const hn::CappedTag<Cell, 64 / sizeof(Cell)> widest;
+    if constexpr (sizeof(Cell) == 1 && hn::MaxLanes(widest) > 32) {
+      const hn::Half<decltype(widest)> half;
+      if (pixel.room < 64) return extend_groups(half, walk, line, pixel);
     }
+    extend_groups(widest, walk, line, pixel);
   }
-  return extend_groups<decltype(widest), kGroup, kTerms, kClasses>(widest, pass, pixel);
-}
+
+ private:
+  template <class D>
+  static HWY_INLINE void extend_groups(D, const PassWalk<Cell>& walk, const WalkedLine<Cell>& line,
+                                       const WalkedPixel<Cell>& pixel) {
+    const int paths = walk.step().paths;
+    for (int k = 0; k < paths; k += kGroup)
+      Group<D, kGroup, kTerms, kClasses>(walk.step(), pixel, k).run(walk, line);
+  }
+};
 
 template <class Cell, int kTerms, bool kClasses>
-ExtendPaths<Cell> choose_group(int paths) {
-  if (paths % 4 == 0) return extend_paths<Cell, 4, kTerms, kClasses>;
-  if (paths % 2 == 0) return extend_paths<Cell, 2, kTerms, kClasses>;
-  return extend_paths<Cell, 1, kTerms, kClasses>;
+Advance<Cell> choose_group(int paths) {
+  if (paths % 4 == 0) return advance<InVectors<Cell, 4, kTerms, kClasses>, Cell>;
+  if (paths % 2 == 0) return advance<InVectors<Cell, 2, kTerms, kClasses>, Cell>;
+  return advance<InVectors<Cell, 1, kTerms, kClasses>, Cell>;
 }
 
 template <class Cell, int kTerms>
-ExtendPaths<Cell> choose_classes(const PassStep& pass) {
+Advance<Cell> choose_classes(const PassStep& pass) {
   return pass.match_classes == 1 ? choose_group<Cell, kTerms, false>(pass.paths)
                                  : choose_group<Cell, kTerms, true>(pass.paths);
 }
 
 template <class Cell>
-ExtendPaths<Cell> choose(const PassStep& pass) {
-  if (pass.class_plane != 0) return extend_paths_plain<Cell>;
+Advance<Cell> choose(const PassStep& pass) {
+  if (pass.class_plane != 0) return advance<Plainly, Cell>;
   return pass.terms == 1 ? choose_classes<Cell, 1>(pass) : choose_classes<Cell, 2>(pass);
 }
 
 #endif
 
-ExtendPaths<std::uint8_t> choose_8(const PassStep& pass) { return choose<std::uint8_t>(pass); }
-ExtendPaths<std::uint16_t> choose_16(const PassStep& pass) { return choose<std::uint16_t>(pass); }
+Advance<std::uint8_t> choose_8(const PassStep& pass) { return choose<std::uint8_t>(pass); }
+Advance<std::uint16_t> choose_16(const PassStep& pass) { return choose<std::uint16_t>(pass); }
 
 }  // namespace xgm::aggregation::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -408,11 +422,11 @@ HWY_EXPORT(choose_8);
 HWY_EXPORT(choose_16);
 
 template <>
-ExtendPaths<std::uint8_t> choose_extend_paths(const PassStep& pass) {
+Advance<std::uint8_t> choose_advance(const PassStep& pass) {
   return HWY_DYNAMIC_DISPATCH(choose_8)(pass);
 }
 template <>
-ExtendPaths<std::uint16_t> choose_extend_paths(const PassStep& pass) {
+Advance<std::uint16_t> choose_advance(const PassStep& pass) {
   return HWY_DYNAMIC_DISPATCH(choose_16)(pass);
 }
 

@@ -2,21 +2,21 @@
 // The inner step, cell by cell.
 #include <algorithm>
 
-#include "plugins/aggregation/shared/pixel_step.hpp"
-#include "xgm/data/volume.hpp"
+#include "plugins/aggregation/shared/advance.hpp"
 
 namespace xgm::aggregation {
 namespace {
 
 template <class Cell>
-int match_class_of(const PassStep& pass, const PixelStep<Cell>& pixel, int step, int i) {
+int match_class_of(const PassStep& pass, const WalkedPixel<Cell>& pixel, int step, int i) {
   if (pass.match_classes == 1) return 0;
   return pass.class_plane == 0 ? pixel.classes[i] >> step & 1
                                : pixel.classes[step * pass.class_plane + i];
 }
 
 template <class Cell>
-int brought_by(const PassStep& pass, const PixelStep<Cell>& pixel, const Term<Cell>& term, int i) {
+int brought_by(const PassStep& pass, const WalkedPixel<Cell>& pixel, const Term<Cell>& term,
+               int i) {
   const int match_class = match_class_of(pass, pixel, term.step, i);
   const int same = term.previous[i];
   const int beside = std::min(term.previous[i - 1], term.previous[i + 1]);
@@ -24,12 +24,13 @@ int brought_by(const PassStep& pass, const PixelStep<Cell>& pixel, const Term<Ce
   return std::min({same, beside + term.p1[match_class], far}) - term.least;
 }
 
+/// Of a path.
 template <class Cell>
-int brought_by(const PassStep& pass, const PixelStep<Cell>& pixel, const Extension<Cell>& path,
+int brought_by(const PassStep& pass, const WalkedPixel<Cell>& pixel, const Term<Cell>* terms,
                int i) {
-  const int first = brought_by(pass, pixel, path.terms[0], i);
+  const int first = brought_by(pass, pixel, terms[0], i);
   if (pass.terms == 1) return first;
-  const int twice = first + brought_by(pass, pixel, path.terms[1], i);
+  const int twice = first + brought_by(pass, pixel, terms[1], i);
   const int down = twice / 2;
   return down + (twice & down & 1);
 }
@@ -45,31 +46,39 @@ void lower(Cell* costs, int room, Cell& least) {
 }
 
 template <class Cell>
-void extend_paths_plain(const PassStep& pass, const PixelStep<Cell>& pixel) {
-  std::fill_n(pixel.least, pass.paths, kInfinite<Cell>);
+void extend_plain(const PassWalk<Cell>& walk, const WalkedLine<Cell>& line,
+                  const WalkedPixel<Cell>& pixel) {
+  const PassStep& pass = walk.step();
+  Term<Cell> terms[kMostPaths][kMostTerms];
+  for (int k = 0; k < pass.paths; ++k) {
+    for (int i = 0; i < pass.terms; ++i) terms[k][i] = walk.term(line, pixel, k, i, pass.terms);
+  }
+  Cell* const least = pixel.paths->least;
+  std::fill_n(least, pass.paths, kInfinite<Cell>);
   for (int i = 0; i < pixel.room; ++i) {
     const bool matchable = i < pixel.count && pixel.cost[i] != CostVolume::kNoMatch;
     int sum = 0;
     for (int k = 0; k < pass.paths; ++k) {
-      const int brought = brought_by(pass, pixel, pixel.paths[k], i);
+      const int brought = brought_by(pass, pixel, terms[k], i);
       const int cost = matchable ? (pixel.cost[i] << pass.bits) + brought : kInfinite<Cell>;
-      pixel.paths[k].costs[i] = static_cast<Cell>(cost);
-      pixel.least[k] = std::min(pixel.least[k], static_cast<Cell>(cost));
+      pixel.costs(k)[i] = static_cast<Cell>(cost);
+      least[k] = std::min(least[k], static_cast<Cell>(cost));
       sum += brought;
     }
     sum += pass.first ? (pass.cost_weight * pixel.cost[i]) << pass.bits : pixel.sums[i];
     pixel.sums[i] = matchable ? static_cast<std::uint16_t>(sum) : AggregatedVolume::kNoMatch;
   }
   for (int k = 0; k < pass.paths; ++k) {
-    Cell* const costs = pixel.paths[k].costs;
-    if (!has_room_for_p2(pixel.least[k], pass)) lower(costs, pixel.room, pixel.least[k]);
-    std::fill_n(costs + pixel.room, VolumeShape::kGranule, kInfinite<Cell>);
+    if (!has_room_for_p2(least[k], pass)) lower(pixel.costs(k), pixel.room, least[k]);
+    std::fill_n(pixel.costs(k) + pixel.room, VolumeShape::kGranule, kInfinite<Cell>);
   }
 }
 
 template void lower(std::uint8_t*, int, std::uint8_t&);
 template void lower(std::uint16_t*, int, std::uint16_t&);
-template void extend_paths_plain(const PassStep&, const PixelStep<std::uint8_t>&);
-template void extend_paths_plain(const PassStep&, const PixelStep<std::uint16_t>&);
+template void extend_plain(const PassWalk<std::uint8_t>&, const WalkedLine<std::uint8_t>&,
+                           const WalkedPixel<std::uint8_t>&);
+template void extend_plain(const PassWalk<std::uint16_t>&, const WalkedLine<std::uint16_t>&,
+                           const WalkedPixel<std::uint16_t>&);
 
 }  // namespace xgm::aggregation

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+// A pass over a volume as seen from a pixel: where its cells are, and what its paths look back at.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "plugins/aggregation/shared/pass.hpp"
+#include "plugins/aggregation/shared/pass_penalties.hpp"
+#include "plugins/aggregation/shared/path_lines.hpp"
+#include "plugins/aggregation/shared/pixel_step.hpp"
+#include "xgm/data/volume.hpp"
+
+namespace xgm::aggregation {
+
+/// A line that is being walked along.
+template <class Cell>
+struct WalkedLine {
+  int v;
+  const typename PathLines<Cell>::Pixel* back[kMostSteps];  ///< back[t][u]: p - x of step t
+  const Cell *p1[kMostSteps], *p2[kMostSteps];              ///< of each step, by match class
+  int base_classes;  ///< those that p1 and p2 belong to, if packed; else -1
+  int penalty_slot;  ///< -1: that of the image row
+  Cell* scratch;     ///< a slice per step, should it have to be joined
+};
+
+/// One pixel of a line. Its slices have `room` cells, a multiple of VolumeShape::kGranule, and all
+/// of these may be read and written; those behind `count` become infinite.
+template <class Cell>
+struct WalkedPixel {
+  int u;
+  typename PathLines<Cell>::Pixel* paths;
+  int count, room;
+  const std::uint8_t* cost;
+  std::uint16_t* sums;
+  const std::uint8_t* classes;    ///< match classes of all steps, of each disparity
+  const std::uint8_t* next_cost;  ///< of a pixel that follows soon: worth having in the cache
+  const std::uint16_t* next_sums;
+
+  Cell* costs(int path) const { return paths->cells + std::ptrdiff_t{paths->stride} * path; }
+};
+
+template <class Cell>
+class PassWalk {
+ public:
+  using Pixel = typename PathLines<Cell>::Pixel;
+  using Line = WalkedLine<Cell>;
+
+  /// Lines that a thread walks along at once, a pixel of each in turn. A path along the line has to
+  /// wait for its least cost at one pixel before the next; meanwhile the other lines advance.
+  static constexpr int kBand = 4;
+
+  /// `step` says what is the same for all passes; paths, terms and classes are found here.
+  PassWalk(const CostVolume& costs, const PenaltyField& penalties, const Pass& pass,
+           const PathLayout& layout, PassStep step, AggregatedVolume& sums);
+
+  const PassStep& step() const { return step_; }
+  const PassFrame& frame() const { return frame_; }
+  /// How far line v - 1 must be ahead of line v.
+  int lag() const { return lag_; }
+
+  /// Fetches the penalties of all image rows, if the pass crosses them with each line.
+  void load_penalties();
+  /// Fetches those of a line that is an image row.
+  void load_penalties(int v);
+  Line begin_line(int v);
+
+  /// Pixels of a line are opened one after the other. If the pixel has no room, that is all there
+  /// is to do about it.
+  WalkedPixel<Cell> open(Line& line, int u);
+
+  /// Term i of a path. Of two terms, one that does not count is replaced by the other one, whose
+  /// mean with itself it is. A single one, or both, may be looked at: they bring nothing.
+  Term<Cell> term(const Line& line, const WalkedPixel<Cell>& pixel, int path, int i,
+                  int terms) const {
+    int step = path * terms + i;
+    if (terms == 2 && !line.back[step][pixel.u].counts()) {
+      const int other = step + 1 - 2 * i;
+      if (line.back[other][pixel.u].counts()) step = other;
+    }
+    const Pixel& previous = line.back[step][pixel.u];
+    return {previous_cells(*pixel.paths, previous, path, line.scratch + scratch_stride_ * step),
+            previous.least[path], step, line.p1[step], line.p2[step]};
+  }
+
+ private:
+  // Passes that go backwards or along columns are no pattern that processors foresee.
+  static constexpr int kCellsFetchedAhead = 4, kSlicesFetchedAhead = 24;  // in pixels
+  static constexpr int kGranule = VolumeShape::kGranule;
+
+  struct Step {
+    int along, across;  // p - x is pixel u - along of line v - across
+  };
+
+  cv::Point pixel_ahead(const Line& line, int u, int pixels) const {
+    return frame_.pixel(std::min(u + pixels, frame_.length() - 1), line.v);
+  }
+  void find_penalties(Line& line, cv::Point at) const;
+
+  /// L(previous, .) of a path from the first disparity of `pixel` on: as it lies there, with the
+  /// infinite ones on both sides, if these hold all that the pixel looks at.
+  const Cell* previous_cells(const Pixel& pixel, const Pixel& previous, int path,
+                             Cell* scratch) const {
+    const Cell* const cells = previous.cells + std::ptrdiff_t{previous.stride} * path;
+    const int shift = pixel.begin - previous.begin;
+    const int begin = shift - 1, end = shift + pixel.room + 1;  // what the pixel looks at
+    if (begin >= -kGranule && end <= previous.room + kGranule && previous.room > 0)
+      return cells + shift;
+    return joined(pixel, previous, cells, scratch);
+  }
+  static const Cell* joined(const Pixel& pixel, const Pixel& previous, const Cell* cells,
+                            Cell* scratch);
+
+  const CostVolume& costs_;
+  const VolumeShape& shape_;
+  AggregatedVolume& sums_;
+  PassStep step_;
+  PassFrame frame_;
+  std::vector<Step> steps_;  // those of the first path, of the second...
+  int lag_;
+  PathLines<Cell> lines_;
+  PassPenalties<Cell> penalties_;
+  std::vector<std::vector<Cell>> scratch_;  // one per line of the ring
+  int scratch_stride_;
+};
+
+template <class Cell>
+WalkedPixel<Cell> PassWalk<Cell>::open(Line& line, int u) {
+  const cv::Point later = pixel_ahead(line, u, kSlicesFetchedAhead);
+  __builtin_prefetch(&shape_.slice(later.y, later.x));
+  const cv::Point at = frame_.pixel(u, line.v);
+  const VolumeShape::Slice& slice = shape_.slice(at.y, at.x);
+  WalkedPixel<Cell> pixel;
+  pixel.u = u;
+  pixel.count = slice.count;
+  pixel.room = VolumeShape::rounded_up(slice.count);
+  pixel.paths = &lines_.open(u, line.v, slice.begin, pixel.room);
+  if (pixel.room == 0) {
+    std::fill_n(pixel.paths->least, step_.paths, kInfinite<Cell>);
+    return pixel;
+  }
+  const std::int64_t offset = shape_.offset(at.y, slice);
+  pixel.cost = costs_.data() + offset;
+  pixel.sums = sums_.data() + offset;
+  const cv::Point next = pixel_ahead(line, u, kCellsFetchedAhead);
+  const std::int64_t next_offset = shape_.offset(next.y, next.x);
+  pixel.next_cost = costs_.data() + next_offset;
+  pixel.next_sums = sums_.data() + next_offset;
+  const int slot = line.penalty_slot < 0 ? at.y : line.penalty_slot;
+  pixel.classes = step_.match_classes == 1 ? nullptr : penalties_.match_at(slot, at.x, slice.begin);
+  const PixelClasses& base = penalties_.base();
+  if (base.count() > 1 && *base.at(slot, at.x) != line.base_classes)
+    find_penalties(line, {at.x, slot});
+  return pixel;
+}
+
+}  // namespace xgm::aggregation
