@@ -86,8 +86,11 @@ auto PassWalk<Cell>::begin_line(int v) -> Line {
   line.v = v;
   line.penalty_slot = frame_.lines_are_rows() ? slot : -1;
   line.scratch = scratch_[static_cast<std::size_t>(slot)].data();
-  for (std::size_t t = 0; t < steps_.size(); ++t)
+  for (std::size_t t = 0; t < steps_.size(); ++t) {
     line.back[t] = lines_.line(v - steps_[t].across) - steps_[t].along;
+    line.back_costs[t] = lines_.costs(v - steps_[t].across, static_cast<int>(t) / step_.terms);
+  }
+  for (int path = 0; path < step_.paths; ++path) line.costs[path] = lines_.costs(v, path);
   find_penalties(line, frame_.lines_are_rows() ? cv::Point{0, slot} : cv::Point{v, 0});
   return line;
 }
@@ -105,17 +108,17 @@ void PassWalk<Cell>::find_penalties(Line& line, cv::Point at) const {
   }
 }
 
-/// Copied in between more infinite ones.
 template <class Cell>
-const Cell* PassWalk<Cell>::joined(const Pixel& pixel, const Pixel& previous, const Cell* cells,
-                                   Cell* scratch) {
-  const int shift = pixel.begin - previous.begin;
+const Cell* PassWalk<Cell>::joined(const WalkedPixel<Cell>& pixel, const Pixel& previous,
+                                   const Cell* costs, Cell* scratch) {
   Cell* const first = scratch + kGranule;
   std::fill(first - kGranule, first + pixel.room + kGranule, kInfinite<Cell>);
+  if (!previous.counts()) return first;
   // Whole granules: behind the last one there are infinite costs, too.
-  for (int i = std::max(0, shift - 1); i < std::min(previous.room, shift + pixel.room + 1);
-       i += kGranule)
-    std::copy_n(cells + i, kGranule, first + (i - shift));
+  const int begin = previous.from + kGranule, end = previous.to + 1 - kGranule;
+  for (int d = std::max(begin, pixel.begin - 1); d < std::min(end, pixel.begin + pixel.room + 1);
+       d += kGranule)
+    std::copy_n(costs + previous.zero + d, kGranule, first + (d - pixel.begin));
   return first;
 }
 

@@ -19,6 +19,8 @@ template <class Cell>
 struct WalkedLine {
   int v;
   const typename PathLines<Cell>::Pixel* back[kMostSteps];  ///< back[t][u]: p - x of step t
+  const Cell* back_costs[kMostSteps];                       ///< of its line and path
+  Cell* costs[kMostPaths];                                  ///< of this line
   const Cell *p1[kMostSteps], *p2[kMostSteps];              ///< of each step, by match class
   int base_classes;  ///< those that p1 and p2 belong to, if packed; else -1
   int penalty_slot;  ///< -1: that of the image row
@@ -30,15 +32,14 @@ struct WalkedLine {
 template <class Cell>
 struct WalkedPixel {
   int u;
-  typename PathLines<Cell>::Pixel* paths;
-  int count, room;
+  int begin, count, room;
+  int zero;     ///< path costs are at zero + d
+  Cell* least;  ///< min_i L(p, i) of each path; infinite if there is no match at all
   const std::uint8_t* cost;
   std::uint16_t* sums;
   const std::uint8_t* classes;    ///< match classes of all steps, of each disparity
   const std::uint8_t* next_cost;  ///< of a pixel that follows soon: worth having in the cache
   const std::uint16_t* next_sums;
-
-  Cell* costs(int path) const { return paths->cells + std::ptrdiff_t{paths->stride} * path; }
 };
 
 template <class Cell>
@@ -80,8 +81,10 @@ class PassWalk {
       if (line.back[other][pixel.u].counts()) step = other;
     }
     const Pixel& previous = line.back[step][pixel.u];
-    return {previous_cells(*pixel.paths, previous, path, line.scratch + scratch_stride_ * step),
-            previous.least[path], step, line.p1[step], line.p2[step]};
+    const Cell* cells = line.back_costs[step] + previous.zero + pixel.begin;
+    if (pixel.begin - 1 < previous.from || pixel.begin + pixel.room > previous.to)
+      cells = joined(pixel, previous, line.back_costs[step], line.scratch + scratch_stride_ * step);
+    return {cells, previous.least[path], step, line.p1[step], line.p2[step]};
   }
 
  private:
@@ -98,19 +101,10 @@ class PassWalk {
   }
   void find_penalties(Line& line, cv::Point at) const;
 
-  /// L(previous, .) of a path from the first disparity of `pixel` on: as it lies there, with the
-  /// infinite ones on both sides, if these hold all that the pixel looks at.
-  const Cell* previous_cells(const Pixel& pixel, const Pixel& previous, int path,
-                             Cell* scratch) const {
-    const Cell* const cells = previous.cells + std::ptrdiff_t{previous.stride} * path;
-    const int shift = pixel.begin - previous.begin;
-    const int begin = shift - 1, end = shift + pixel.room + 1;  // what the pixel looks at
-    if (begin >= -kGranule && end <= previous.room + kGranule && previous.room > 0)
-      return cells + shift;
-    return joined(pixel, previous, cells, scratch);
-  }
-  static const Cell* joined(const Pixel& pixel, const Pixel& previous, const Cell* cells,
-                            Cell* scratch);
+  /// L(previous, .) from the first disparity of `pixel` on, where it does not hold all that the
+  /// pixel looks at: copied in between more infinite costs.
+  static const Cell* joined(const WalkedPixel<Cell>& pixel, const Pixel& previous,
+                            const Cell* costs, Cell* scratch);
 
   const CostVolume& costs_;
   const VolumeShape& shape_;
@@ -135,9 +129,12 @@ WalkedPixel<Cell> PassWalk<Cell>::open(Line& line, int u) {
   pixel.u = u;
   pixel.count = slice.count;
   pixel.room = VolumeShape::rounded_up(slice.count);
-  pixel.paths = &lines_.open(u, line.v, slice.begin, pixel.room);
+  pixel.begin = slice.begin;
+  Pixel& kept = lines_.open(u, line.v, slice.begin, pixel.room);
+  pixel.zero = kept.zero;
+  pixel.least = kept.least;
   if (pixel.room == 0) {
-    std::fill_n(pixel.paths->least, step_.paths, kInfinite<Cell>);
+    std::fill_n(pixel.least, step_.paths, kInfinite<Cell>);
     return pixel;
   }
   const std::int64_t offset = shape_.offset(at.y, slice);

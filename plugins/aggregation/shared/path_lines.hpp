@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "plugins/aggregation/shared/pass.hpp"
@@ -13,9 +14,9 @@
 
 namespace xgm::aggregation {
 
-/// How the path costs of a volume's pixels lie in memory, the slices of a pixel one behind the
-/// other, with a margin before each: the granule behind a slice is written with it, infinite, so
-/// that there is a granule of infinite costs on both sides.
+/// How the path costs of a line lie in memory: for each path the slices of all pixels, one behind
+/// the other, with a margin before each. The granule behind a slice is written with it, infinite,
+/// so that there is a granule of infinite costs on both sides.
 class PathLayout {
  public:
   PathLayout(const VolumeShape& shape, int bytes_of_cell) : margin_(VolumeShape::kGranule) {
@@ -67,12 +68,13 @@ struct LinesKept {
 template <class Cell>
 class PathLines {
  public:
-  /// One without cells, as it is made, stands for what does not exist.
+  /// One that was never opened stands for what does not exist.
   struct Pixel {
-    Cell* cells = nullptr;   ///< L(p, .) of the first path
-    int begin = 0;           ///< disparity of the first cell
-    int room = 0;            ///< cells of one path
-    int stride = 0;          ///< from one path's cells to the next one's
+    /// Disparities from..to have path costs in memory, those without a match infinite ones; that of
+    /// disparity d is cell zero + d of a line of costs.
+    int from = std::numeric_limits<int>::max(), to = std::numeric_limits<int>::min();
+    int zero = 0;
+    int next = 0;            ///< cell behind its margin
     Cell least[kMostPaths];  ///< min_i L(p, i) of each path, infinite if there is no match at all
 
     Pixel() { std::fill_n(least, kMostPaths, kInfinite<Cell>); }
@@ -80,9 +82,7 @@ class PathLines {
   };
 
   PathLines(const PathLayout& layout, const PassFrame& frame, int paths, const LinesKept& kept)
-      : layout_(layout),
-        paths_(paths),
-        lines_(static_cast<std::size_t>(kept.bands * kept.band_lines)) {
+      : layout_(layout), lines_(static_cast<std::size_t>(kept.bands * kept.band_lines)) {
     const auto padded = static_cast<std::size_t>(frame.length() + 2 * kFarthest);
     const std::size_t whole = layout.fullest_line(frame.lines_are_rows());
     const std::size_t part =
@@ -92,7 +92,10 @@ class PathLines {
       const bool is_whole = i % kept.band_lines >= kept.band_lines - kept.last_lines;
       Line& line = lines_[static_cast<std::size_t>(i)];
       line.pixels.resize(padded);
-      begin(line, (is_whole ? whole : part) * static_cast<std::size_t>(paths));
+      line.cells = (is_whole ? whole : part) + static_cast<std::size_t>(layout.margin());
+      const std::size_t all = line.cells * static_cast<std::size_t>(paths);
+      line.memory = new_cells(all * sizeof(Cell));
+      std::fill_n(static_cast<Cell*>(line.memory.get()), all, kInfinite<Cell>);
     }
   }
 
@@ -102,42 +105,38 @@ class PathLines {
   /// The pixels of line v, which forgets line v - slots(). Beyond both ends, and before the first
   /// line, there are kFarthest pixels that do not exist.
   Pixel* line(int v) { return (v < 0 ? nothing_ : line_of(v).pixels).data() + kFarthest; }
+  /// L(., .) of a path in line v.
+  Cell* costs(int v, int path) {
+    if (v < 0) return nullptr;
+    Line& line = line_of(v);
+    return static_cast<Cell*>(line.memory.get()) + line.cells * static_cast<std::size_t>(path);
+  }
 
   /// Makes room for pixel u of line v; the one before it must have been opened. Where only a part
   /// of the line is kept, the pixels opened first are forgotten.
   Pixel& open(int u, int v, int begin, int room) {
     Line& line = line_of(v);
     Pixel& pixel = line.pixels[static_cast<std::size_t>(u + kFarthest)];
-    const Pixel& before = (&pixel)[-1];
-    pixel.stride = layout_.stride(room);
-    pixel.cells = before.cells + std::ptrdiff_t{before.stride} * paths_;
-    if (u == 0 || line.end - pixel.cells < std::ptrdiff_t{pixel.stride} * paths_)
-      pixel.cells = line.begin;
-    pixel.begin = begin;
-    pixel.room = room;
+    const int stride = layout_.stride(room);
+    int first = (&pixel)[-1].next;
+    if (u == 0 || first + stride > static_cast<int>(line.cells)) first = layout_.margin();
+    pixel.from = begin - VolumeShape::kGranule;
+    pixel.to = begin + room + VolumeShape::kGranule - 1;
+    pixel.zero = first - begin;
+    pixel.next = first + stride;
     return pixel;
   }
 
  private:
   struct Line {
     Cells memory;
-    Cell *begin, *end;
+    std::size_t cells = 0;  // of each path
     std::vector<Pixel> pixels;
   };
 
   Line& line_of(int v) { return lines_[static_cast<std::size_t>(slot(v))]; }
 
-  void begin(Line& line, std::size_t cells) const {
-    const auto margin = static_cast<std::size_t>(layout_.margin());
-    line.memory = new_cells((cells + margin) * sizeof(Cell));
-    auto* const memory = static_cast<Cell*>(line.memory.get());
-    std::fill_n(memory, cells + margin, kInfinite<Cell>);
-    line.begin = memory + margin;
-    line.end = line.begin + cells;
-  }
-
   PathLayout layout_;
-  int paths_;
   std::vector<Line> lines_;
   std::vector<Pixel> nothing_;
 };

@@ -254,7 +254,7 @@ class PathInRegisters {
                              const WalkedPixel<Cell>& pixel, int path)
       : one_(walk.term(line, pixel, path, 0, kTerms)),
         other_(walk.term(line, pixel, path, kTerms - 1, kTerms)),
-        costs_(pixel.costs(path)),
+        costs_(line.costs[path] + pixel.zero + pixel.begin),
         least_(hn::Set(D(), kInfinite<Cell>)) {}
 
   /// Writes a block of path costs. Returns what the path brings.
@@ -312,7 +312,7 @@ class Group {
     Cell least[kPaths];
     least_lanes(folds, least);
     int k = 0;
-    ((finish(paths.costs(), least[k], pixel_.paths->least[first_path_ + k]), ++k), ...);
+    ((finish(paths.costs(), least[k], pixel_.least[first_path_ + k]), ++k), ...);
   }
 
   template <class Block, class... Paths>

@@ -53,7 +53,8 @@ void extend_plain(const PassWalk<Cell>& walk, const WalkedLine<Cell>& line,
   for (int k = 0; k < pass.paths; ++k) {
     for (int i = 0; i < pass.terms; ++i) terms[k][i] = walk.term(line, pixel, k, i, pass.terms);
   }
-  Cell* const least = pixel.paths->least;
+  const auto costs = [&](int path) { return line.costs[path] + pixel.zero + pixel.begin; };
+  Cell* const least = pixel.least;
   std::fill_n(least, pass.paths, kInfinite<Cell>);
   for (int i = 0; i < pixel.room; ++i) {
     const bool matchable = i < pixel.count && pixel.cost[i] != CostVolume::kNoMatch;
@@ -61,7 +62,7 @@ void extend_plain(const PassWalk<Cell>& walk, const WalkedLine<Cell>& line,
     for (int k = 0; k < pass.paths; ++k) {
       const int brought = brought_by(pass, pixel, terms[k], i);
       const int cost = matchable ? (pixel.cost[i] << pass.bits) + brought : kInfinite<Cell>;
-      pixel.costs(k)[i] = static_cast<Cell>(cost);
+      costs(k)[i] = static_cast<Cell>(cost);
       least[k] = std::min(least[k], static_cast<Cell>(cost));
       sum += brought;
     }
@@ -69,8 +70,8 @@ void extend_plain(const PassWalk<Cell>& walk, const WalkedLine<Cell>& line,
     pixel.sums[i] = matchable ? static_cast<std::uint16_t>(sum) : AggregatedVolume::kNoMatch;
   }
   for (int k = 0; k < pass.paths; ++k) {
-    if (!has_room_for_p2(least[k], pass)) lower(pixel.costs(k), pixel.room, least[k]);
-    std::fill_n(pixel.costs(k) + pixel.room, VolumeShape::kGranule, kInfinite<Cell>);
+    if (!has_room_for_p2(least[k], pass)) lower(costs(k), pixel.room, least[k]);
+    std::fill_n(costs(k) + pixel.room, VolumeShape::kGranule, kInfinite<Cell>);
   }
 }
 
