@@ -217,10 +217,10 @@ HWY_INLINE auto folded(D d, hn::VFromD<D> v) {
   }
 }
 
-/// least[k] = the least lane of v[k], for one, two or four vectors at once: interleaved, a vector
-/// of minima holds those of all of them.
+/// Lane k is the least of v[k], for one, two or four vectors at once: interleaved, a vector of
+/// minima holds those of all of them.
 template <class Cell, int kVectors, class V>
-HWY_INLINE void least_lanes(const V (&v)[kVectors], Cell (&least)[kVectors]) {
+HWY_INLINE hn::VFromD<hn::FixedTag<Cell, kVectors> > least_lanes(const V (&v)[kVectors]) {
   const hn::FixedTag<Cell, 16 / sizeof(Cell)> d;
   auto all = v[0];
   if constexpr (kVectors > 1) {
@@ -239,9 +239,7 @@ HWY_INLINE void least_lanes(const V (&v)[kVectors], Cell (&least)[kVectors]) {
   if constexpr (kBytes <= 4) all = hn::Min(all, hn::ShiftRightBytes<4>(d, all));
   if constexpr (kBytes <= 2) all = hn::Min(all, hn::ShiftRightBytes<2>(d, all));
   if constexpr (kBytes <= 1) all = hn::Min(all, hn::ShiftRightBytes<1>(d, all));
-  alignas(16) Cell lanes[16 / sizeof(Cell)];
-  hn::Store(all, d, lanes);
-  for (int k = 0; k < kVectors; ++k) least[k] = lanes[k];
+  return first_lanes(hn::FixedTag<Cell, kVectors>(), d, all);
 }
 
 /// A path in registers.
@@ -309,10 +307,21 @@ class Group {
   HWY_INLINE void run_paths(Paths... paths) {
     extend(D(), 0, paths...);
     const decltype(folded(D(), hn::Zero(D()))) folds[] = {paths.folded_least()...};
-    Cell least[kPaths];
-    least_lanes(folds, least);
-    int k = 0;
-    ((finish(paths.costs(), least[k], pixel_.least[first_path_ + k]), ++k), ...);
+    (std::memset(paths.costs() + pixel_.room, 0xFF, VolumeShape::kGranule * sizeof(Cell)), ...);
+    const hn::FixedTag<Cell, kPaths> d;
+    const auto least = least_lanes<Cell>(folds);
+    hn::StoreU(least, d, pixel_.least + first_path_);
+    const auto with_p2 = hn::SaturatedAdd(least, hn::Set(d, static_cast<Cell>(pass_.p2)));
+    const auto infinite = hn::Set(d, kInfinite<Cell>);
+    const auto too_large = hn::AndNot(hn::Eq(least, infinite), hn::Eq(with_p2, infinite));
+    if (HWY_UNLIKELY(!hn::AllFalse(d, too_large))) {
+      int k = first_path_;
+      (make_room(paths.costs(), pixel_.least[k++]), ...);
+    }
+  }
+
+  HWY_INLINE void make_room(Cell* costs, Cell& least) const {
+    if (!has_room_for_p2(least, pass_)) lower(costs, pixel_.room, least);
   }
 
   template <class Block, class... Paths>
@@ -342,12 +351,6 @@ class Group {
     } else {
       sums.add_to(pixel_.sums + i);
     }
-  }
-
-  HWY_INLINE void finish(Cell* costs, Cell least, Cell& result) const {
-    if (HWY_UNLIKELY(!has_room_for_p2(least, pass_))) lower(costs, pixel_.room, least);
-    result = least;
-    std::memset(costs + pixel_.room, 0xFF, VolumeShape::kGranule * sizeof(Cell));
   }
 
   template <class Block>
