@@ -2,7 +2,6 @@
 // P1 and P2 of all steps of a pass: tables by class, and the classes of the pixels.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <opencv2/core.hpp>
 #include <span>
@@ -63,9 +62,9 @@ class PassPenalties {
   const std::uint8_t* match_at(int slot, int x, int begin) const {
     return match_.at(slot, width_ - 1 - x + begin - hull_.begin);
   }
-  /// Penalties of a step, one per match class.
-  const Cell* p1(int step, int base_class) const { return p1_.data() + row(step, base_class); }
-  const Cell* p2(int step, int base_class) const { return p2_.data() + row(step, base_class); }
+  /// Tables of all steps: base classes x match classes each.
+  const Cell* p1() const { return p1_.data(); }
+  const Cell* p2() const { return p2_.data(); }
 
  private:
   static std::vector<PenaltyTable> tables(const PenaltyField& field,
@@ -73,10 +72,6 @@ class PassPenalties {
   PassPenalties(const PenaltyField& field, std::vector<Direction> steps,
                 const std::vector<PenaltyTable>& tables, int rows, int width, Interval hull,
                 int unit);
-
-  std::size_t row(int step, int base_class) const {
-    return static_cast<std::size_t>((step * base_.count() + base_class) * match_.count());
-  }
 
   const PenaltyField& field_;
   std::vector<Direction> steps_;

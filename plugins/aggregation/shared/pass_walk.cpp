@@ -99,12 +99,15 @@ auto PassWalk<Cell>::begin_line(int v) -> Line {
 template <class Cell>
 void PassWalk<Cell>::find_penalties(Line& line, cv::Point at) const {
   const PixelClasses& base = penalties_.base();
+  const int steps = static_cast<int>(steps_.size());
   const std::uint8_t* const classes = base.count() == 1 ? nullptr : base.at(at.y, at.x);
   line.base_classes = base.packed() ? *classes : -1;
-  for (int t = 0; t < static_cast<int>(steps_.size()); ++t) {
-    const int base_class = base.count() == 1 ? 0 : base.get(t, classes);
-    line.p1[t] = penalties_.p1(t, base_class);
-    line.p2[t] = penalties_.p2(t, base_class);
+  const Cell *p1 = penalties_.p1(), *p2 = penalties_.p2();
+  const int row = penalties_.match().count(), table = base.count() * row;
+  for (int t = 0; t < steps; ++t, p1 += table, p2 += table) {
+    const int offset = classes == nullptr ? 0 : base.get(t, classes) * row;
+    line.p1[t] = p1 + offset;
+    line.p2[t] = p2 + offset;
   }
 }
 
