@@ -15,8 +15,6 @@ std::size_t whole_pages(std::size_t bytes) {
   return (bytes + kHugePage - 1) / kHugePage * kHugePage;
 }
 
-std::size_t distance(std::size_t a, std::size_t b) { return a < b ? b - a : a - b; }
-
 /// Addresses without memory, aligned to huge pages; null if there are none.
 std::byte* reserve(std::size_t bytes) {
   const std::size_t room = bytes + kHugePage;
@@ -30,108 +28,105 @@ std::byte* reserve(std::size_t bytes) {
   return all + before;
 }
 
-/// A new block; null if there is no memory.
-std::byte* map(std::size_t bytes) {
-  std::byte* const block = reserve(bytes);
-  if (block == nullptr) return nullptr;
+/// Gives memory to reserved addresses; false if there is none.
+bool populate(std::byte* place, std::size_t bytes) {
   // Not mapped anew: that would evade the limit of data (RLIMIT_DATA).
-  if (mprotect(block, bytes, PROT_READ | PROT_WRITE) != 0) {
-    munmap(block, bytes);
-    return nullptr;
-  }
-  madvise(block, bytes, MADV_HUGEPAGE);  // a wish: without huge pages it works, too
-  return block;
-}
-
-/// Makes a block larger, and keeps its pages; null, with the block as it was, if there is no
-/// memory.
-std::byte* grow(Block block, std::size_t bytes) {
-  std::byte* const place = reserve(bytes);  // moved, for what lies behind the block may be in use
-  if (place == nullptr) return nullptr;
-  void* const moved = mremap(block.begin, block.bytes, bytes, MREMAP_MAYMOVE | MREMAP_FIXED, place);
-  // If that failed, the place may be another's already, so that it is not ours to unmap.
-  return moved == MAP_FAILED ? nullptr : place;
+  if (mprotect(place, bytes, PROT_READ | PROT_WRITE) != 0) return false;
+  madvise(place, bytes, MADV_HUGEPAGE);  // a wish: without huge pages it works, too
+  return true;
 }
 
 }  // namespace
 
 std::byte* BlockPool::take(std::size_t bytes) {
   const std::size_t whole = whole_pages(bytes);
-  std::byte* begin = nullptr;
-  if (const Block block = take_free(whole); block.begin != nullptr) {
-    begin = fit(block, whole);
-    if (begin == nullptr) munmap(block.begin, block.bytes);
+  std::byte* const place = reserve(whole);
+  if (place == nullptr) throw std::bad_alloc();
+  std::vector<Piece> block;
+  const std::size_t filled = fill(place, whole, block);
+  const std::size_t fresh = whole - filled;
+  if (fresh > 0) {
+    bool there = populate(place + filled, fresh);
+    if (!there) {
+      trim();
+      there = populate(place + filled, fresh);
+    }
+    if (!there) {
+      munmap(place, whole);
+      throw std::bad_alloc();
+    }
+    block.push_back({place + filled, fresh});
   }
-  if (begin == nullptr) begin = map(whole);
-  if (begin == nullptr) {
-    trim();
-    begin = map(whole);
-  }
-  if (begin == nullptr) throw std::bad_alloc();
+  blocks_.emplace(place, std::move(block));
   used_ += whole;
   most_used_ = std::max(most_used_, used_);
-  drop_surplus();
-  return begin;
+  if (used_ + kept_bytes_ > most_used_) drop(used_ + kept_bytes_ - most_used_);
+  return place;
 }
 
-void BlockPool::give_back(Block block) {
-  block.bytes = whole_pages(block.bytes);
-  used_ -= block.bytes;
-  add_free(block);
+void BlockPool::give_back(std::byte* block) {
+  const auto found = blocks_.find(block);
+  for (const Piece piece : found->second) {
+    used_ -= piece.bytes;
+    keep(piece);
+  }
+  blocks_.erase(found);
 }
 
 void BlockPool::trim() {
-  for (const Block& block : free_) munmap(block.begin, block.bytes);
-  free_.clear();
-  free_bytes_ = 0;
+  drop(kept_bytes_);
   most_used_ = used_;
 }
 
-/// Joined with free neighbours, so that what was split becomes whole again. (Neighbours by chance
-/// cannot grow together: the system refuses that, and a new block is made.)
-void BlockPool::add_free(Block block) {
-  free_bytes_ += block.bytes;
-  std::erase_if(free_, [&](Block other) {
-    if (other.begin + other.bytes == block.begin) {
-      block.begin = other.begin;
-    } else if (block.begin + block.bytes != other.begin) {
-      return false;
+/// Moves kept pieces to `place` until it is full or none is left. Returns how many bytes they are.
+std::size_t BlockPool::fill(std::byte* place, std::size_t bytes, std::vector<Piece>& block) {
+  std::size_t filled = 0;
+  while (filled < bytes && !kept_.empty()) {
+    Piece piece = pick(bytes - filled);
+    if (piece.bytes > bytes - filled) {
+      keep({piece.begin + (bytes - filled), piece.bytes - (bytes - filled)});
+      piece.bytes = bytes - filled;
     }
-    block.bytes += other.bytes;
-    return true;
-  });
-  free_.push_back(block);
+    void* const moved = mremap(piece.begin, piece.bytes, piece.bytes, MREMAP_MAYMOVE | MREMAP_FIXED,
+                               place + filled);
+    if (moved == MAP_FAILED) {  // too many mappings
+      munmap(piece.begin, piece.bytes);
+      break;
+    }
+    block.push_back({place + filled, piece.bytes});
+    filled += piece.bytes;
+  }
+  return filled;
 }
 
-/// `block` with so many bytes; what it has too much stays free. Null, with the block as it was, if
-/// there is no memory.
-std::byte* BlockPool::fit(Block block, std::size_t bytes) {
-  if (block.bytes < bytes) return grow(block, bytes);
-  if (block.bytes > bytes) add_free({block.begin + bytes, block.bytes - bytes});
-  return block.begin;
+/// The smallest kept piece of at least so many bytes, else the largest.
+BlockPool::Piece BlockPool::pick(std::size_t bytes) {
+  const auto better = [bytes](Piece a, Piece b) {
+    const bool a_fits = a.bytes >= bytes, b_fits = b.bytes >= bytes;
+    if (a_fits != b_fits) return a_fits;
+    return a_fits ? a.bytes < b.bytes : a.bytes > b.bytes;
+  };
+  const auto best = std::min_element(kept_.begin(), kept_.end(), better);
+  const Piece piece = *best;
+  kept_.erase(best);
+  kept_bytes_ -= piece.bytes;
+  return piece;
 }
 
-/// The free block whose size is nearest; an empty one if there is none.
-Block BlockPool::take_free(std::size_t bytes) {
-  const auto nearest = std::min_element(free_.begin(), free_.end(), [&](Block a, Block b) {
-    return distance(a.bytes, bytes) < distance(b.bytes, bytes);
-  });
-  if (nearest == free_.end()) return {};
-  const Block block = *nearest;
-  free_.erase(nearest);
-  free_bytes_ -= block.bytes;
-  return block;
+void BlockPool::keep(Piece piece) {
+  kept_.push_back(piece);
+  kept_bytes_ += piece.bytes;
 }
 
-void BlockPool::drop_surplus() {
-  while (!free_.empty() && used_ + free_bytes_ > most_used_) {
-    const auto smallest = std::min_element(free_.begin(), free_.end(),
-                                           [](Block a, Block b) { return a.bytes < b.bytes; });
-    const std::size_t cut = std::min(smallest->bytes, used_ + free_bytes_ - most_used_);
-    smallest->bytes -= cut;
-    free_bytes_ -= cut;
-    munmap(smallest->begin + smallest->bytes, cut);
-    if (smallest->bytes == 0) free_.erase(smallest);
+void BlockPool::drop(std::size_t bytes) {
+  while (bytes > 0) {
+    Piece& piece = kept_.back();
+    const std::size_t cut = std::min(piece.bytes, bytes);
+    piece.bytes -= cut;
+    munmap(piece.begin + piece.bytes, cut);
+    kept_bytes_ -= cut;
+    bytes -= cut;
+    if (piece.bytes == 0) kept_.pop_back();
   }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <unordered_map>
 #include <vector>
 
 #include "xgm/base/export.hpp"
@@ -11,15 +12,11 @@ namespace xgm {
 
 inline constexpr std::size_t kHugePage = std::size_t{2} << 20;
 
-struct Block {
-  std::byte* begin = nullptr;
-  std::size_t bytes = 0;  ///< pools round it up to whole huge pages
-};
-
-/// A free block is made to fit whoever asks next: what is missing is added at its end, what is too
-/// much is split off and stays free. Free blocks are cut as soon as free and used ones together
-/// exceed what was once in use, so that the pool never makes a program larger than it would be
-/// without. Not safe for several threads.
+/// Getting memory takes longer than to fill it: the system clears every page first. So what is
+/// given back is kept, in pieces, of which the next block is put together: the system moves pages
+/// to any address without touching them. Kept pieces are dropped as soon as these and the used
+/// blocks together exceed what was once in use, so that the pool never makes a program larger than
+/// it would be without. Not safe for several threads.
 class XGM_API BlockPool {
  public:
   BlockPool() = default;
@@ -27,24 +24,31 @@ class XGM_API BlockPool {
   BlockPool& operator=(const BlockPool&) = delete;
   ~BlockPool() { trim(); }
 
-  /// Throws std::bad_alloc if there is no such memory, even after the free blocks are dropped.
+  /// Throws std::bad_alloc if there is no such memory, even without the kept pieces.
   std::byte* take(std::size_t bytes);
-  /// `block` is one that take() gave, with the bytes that were asked for.
-  void give_back(Block block);
-  /// Returns all free blocks to the system.
+  /// `block` is one that take() gave.
+  void give_back(std::byte* block);
+  /// Returns all kept pieces to the system.
   void trim();
 
+  /// Whole huge pages.
   std::size_t used_bytes() const { return used_; }
-  std::size_t free_bytes() const { return free_bytes_; }
+  std::size_t kept_bytes() const { return kept_bytes_; }
 
  private:
-  Block take_free(std::size_t bytes);
-  void add_free(Block block);
-  std::byte* fit(Block block, std::size_t bytes);
-  void drop_surplus();
+  struct Piece {
+    std::byte* begin = nullptr;
+    std::size_t bytes = 0;
+  };
 
-  std::vector<Block> free_;
-  std::size_t used_ = 0, free_bytes_ = 0;
+  std::size_t fill(std::byte* place, std::size_t bytes, std::vector<Piece>& block);
+  Piece pick(std::size_t bytes);
+  void keep(Piece piece);
+  void drop(std::size_t bytes);
+
+  std::unordered_map<std::byte*, std::vector<Piece>> blocks_;
+  std::vector<Piece> kept_;
+  std::size_t used_ = 0, kept_bytes_ = 0;
   std::size_t most_used_ = 0;  // since the last trim
 };
 

@@ -33,7 +33,7 @@ void CellsDeleter::operator()(void* cells) const {
   }
   SharedPool& shared = pool();
   const std::scoped_lock lock(shared.mutex);
-  shared.blocks.give_back({static_cast<std::byte*>(cells), bytes});
+  shared.blocks.give_back(static_cast<std::byte*>(cells));
   if (shared.users == 0) shared.blocks.trim();
 }
 

@@ -75,17 +75,6 @@ Interval hull_of(const int* begin, const int* end, int n) {
 
 }  // namespace
 
-Interval intersect(Interval a, Interval b) {
-  const Interval both{std::max(a.begin, b.begin), std::min(a.end, b.end)};
-  return both.empty() ? Interval{} : both;
-}
-
-Interval unite(Interval a, Interval b) {
-  if (a.empty()) return b;
-  if (b.empty()) return a;
-  return {std::min(a.begin, b.begin), std::max(a.end, b.end)};
-}
-
 DisparityRange DisparityRange::uniform(cv::Size size, Interval interval) {
   return DisparityRange(size, interval.empty() ? Interval{} : interval);
 }

@@ -2,6 +2,7 @@
 #include "xgm/data/volume.hpp"
 
 #include <algorithm>
+#include <new>
 
 #include "xgm/base/parallel.hpp"
 
@@ -12,7 +13,8 @@ VolumeShape::VolumeShape(const DisparityRange& range, const cv::Mat1b& valid)
   CV_Assert(valid.empty() || valid.size() == size_);
   const auto rows = static_cast<std::size_t>(height());
   const std::size_t pixels = rows * static_cast<std::size_t>(width());
-  slices_.resize(pixels);
+  slices_ = new_cells(pixels * sizeof(Slice));
+  Slice* const slices = new (slices_.get()) Slice[pixels];
   row_.assign(rows + 1, 0);
   std::vector<Interval> hulls(rows);
   std::vector<int> max_counts(rows);
@@ -23,8 +25,8 @@ VolumeShape::VolumeShape(const DisparityRange& range, const cv::Mat1b& valid)
     for (int x = 0; x < width(); ++x) {
       const bool used = valid.empty() || valid(y, x) != 0;
       const Interval interval = used ? range.at(y, x) : Interval{};
-      slices_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width()) +
-              static_cast<std::size_t>(x)] = {interval.begin, interval.size(), granules};
+      slices[static_cast<std::size_t>(y) * static_cast<std::size_t>(width()) +
+             static_cast<std::size_t>(x)] = {interval.begin, interval.size(), granules};
       granules += static_cast<std::uint32_t>(rounded_up(interval.size()) / kGranule);
       max_count = std::max(max_count, interval.size());
       hull = unite(hull, interval);
@@ -42,7 +44,7 @@ VolumeShape::VolumeShape(const DisparityRange& range, const cv::Mat1b& valid)
 }
 
 std::size_t VolumeShape::bytes() const {
-  return slices_.size() * sizeof(Slice) + row_.size() * sizeof(row_[0]);
+  return static_cast<std::size_t>(size_.area()) * sizeof(Slice) + row_.size() * sizeof(row_[0]);
 }
 
 }  // namespace xgm

@@ -51,7 +51,7 @@ TEST_CASE("blocks are aligned to huge pages and keep what is written") {
     CHECK(reinterpret_cast<std::uintptr_t>(block) % kHugePage == 0);
     std::memset(block, 7, bytes);
     CHECK(std::all_of(block, block + bytes, [](std::byte b) { return b == std::byte{7}; }));
-    pool.give_back({block, bytes});
+    pool.give_back(block);
   }
 }
 
@@ -61,7 +61,7 @@ TEST_CASE("a block is used again without page faults, also by a smaller and a la
     return faults_of([&] {
       std::byte* const block = pool.take(bytes);
       std::memset(block, 1, bytes);
-      pool.give_back({block, bytes});
+      pool.give_back(block);
     });
   };
   CHECK(use(64 * kMega) > 0);
@@ -75,11 +75,12 @@ TEST_CASE("the volumes of a second view that are a little larger cost next to no
   BlockPool pool;
   const auto view = [&](std::size_t costs) {
     return faults_of([&] {
-      Block blocks[] = {{pool.take(costs), costs}, {nullptr, 2 * costs}};
-      std::memset(blocks[0].begin, 1, costs);
-      blocks[1].begin = pool.take(2 * costs);
-      std::memset(blocks[1].begin, 1, 2 * costs);
-      for (const Block& block : blocks) pool.give_back(block);
+      std::byte* const first = pool.take(costs);
+      std::memset(first, 1, costs);
+      std::byte* const second = pool.take(2 * costs);
+      std::memset(second, 1, 2 * costs);
+      pool.give_back(first);
+      pool.give_back(second);
     });
   };
   const long first = view(100 * kMega);
@@ -87,42 +88,44 @@ TEST_CASE("the volumes of a second view that are a little larger cost next to no
   CHECK(view(97 * kMega) <= std::max(first / 10, 8L));
 }
 
-TEST_CASE("a grown block keeps its place in the books, and its content") {
+TEST_CASE("a larger block is made of a kept piece, whose content it has, and of new memory") {
   BlockPool pool;
   std::byte* const small = pool.take(4 * kMega);
   std::memset(small, 3, 4 * kMega);
-  pool.give_back({small, 4 * kMega});
-  CHECK(pool.free_bytes() == 4 * kMega);
+  pool.give_back(small);
+  CHECK(pool.kept_bytes() == 4 * kMega);
   std::byte* const large = pool.take(10 * kMega);
-  CHECK(pool.free_bytes() == 0);
+  CHECK(pool.kept_bytes() == 0);
   CHECK(pool.used_bytes() == 10 * kMega);
   CHECK(large[4 * kMega - 1] == std::byte{3});
-  pool.give_back({large, 10 * kMega});
+  std::memset(large, 4, 10 * kMega);
+  pool.give_back(large);
+  CHECK(pool.kept_bytes() == 10 * kMega);
 }
 
-TEST_CASE("what a small volume leaves of a large block stays free, and becomes whole again") {
+TEST_CASE("blocks of any sizes are put together of what others left, without page faults") {
   BlockPool pool;
   const auto use_together = [&](const std::vector<std::size_t>& sizes) {
     return faults_of([&] {
-      std::vector<Block> blocks;
+      std::vector<std::byte*> blocks;
       for (const std::size_t bytes : sizes) {
-        blocks.push_back({pool.take(bytes), bytes});
-        std::memset(blocks.back().begin, 1, bytes);
+        blocks.push_back(pool.take(bytes));
+        std::memset(blocks.back(), 1, bytes);
       }
-      for (const Block& block : blocks) pool.give_back(block);
+      for (std::byte* const block : blocks) pool.give_back(block);
     });
   };
   CHECK(use_together({100 * kMega, 200 * kMega}) > 0);
-  CHECK(use_together({10 * kMega, 20 * kMega, 40 * kMega}) <= 2);
-  CHECK(use_together({100 * kMega, 200 * kMega}) <= 2);
-  CHECK(use_together({30 * kMega, 60 * kMega, 10 * kMega}) <= 2);
-  CHECK(use_together({200 * kMega, 100 * kMega}) <= 2);
-  CHECK(pool.free_bytes() == 300 * kMega);
+  CHECK(use_together({10 * kMega, 20 * kMega, 40 * kMega}) <= 4);
+  CHECK(use_together({100 * kMega, 200 * kMega}) <= 4);
+  CHECK(use_together({60 * kMega, 240 * kMega}) <= 4);
+  CHECK(use_together({200 * kMega, 70 * kMega, 30 * kMega}) <= 4);
+  CHECK(pool.kept_bytes() == 300 * kMega);
 }
 
 TEST_CASE("free and used blocks together are never more than was in use at once") {
   BlockPool pool;
-  std::vector<Block> used;
+  std::vector<std::byte*> used;
   std::size_t most = 0;
   std::uint64_t state = 1;
   const auto random = [&](std::size_t below) {
@@ -132,19 +135,19 @@ TEST_CASE("free and used blocks together are never more than was in use at once"
   for (int round = 0; round < 2000; ++round) {
     if (used.size() < 4 && random(2) == 0) {
       const std::size_t bytes = 1 + random(30 * kMega);
-      used.push_back({pool.take(bytes), bytes});
+      used.push_back(pool.take(bytes));
     } else if (!used.empty()) {
       const auto chosen = used.begin() + static_cast<std::ptrdiff_t>(random(used.size()));
       pool.give_back(*chosen);
       used.erase(chosen);
     }
     most = std::max(most, pool.used_bytes());
-    REQUIRE(pool.used_bytes() + pool.free_bytes() <= most);
+    REQUIRE(pool.used_bytes() + pool.kept_bytes() <= most);
   }
-  for (const Block& block : used) pool.give_back(block);
+  for (std::byte* const block : used) pool.give_back(block);
   CHECK(pool.used_bytes() == 0);
   pool.trim();
-  CHECK(pool.free_bytes() == 0);
+  CHECK(pool.kept_bytes() == 0);
 }
 
 TEST_CASE("without memory: std::bad_alloc, but first the free blocks are dropped") {
@@ -152,16 +155,16 @@ TEST_CASE("without memory: std::bad_alloc, but first the free blocks are dropped
     BlockPool pool;
     std::byte* const block = pool.take(400 * kMega);
     std::byte* const other = pool.take(40 * kMega);
-    pool.give_back({block, 400 * kMega});
+    pool.give_back(block);
     limit_memory(100 * kMega);
     // The nearest free block is the large one; the small one in use cannot be dropped.
     std::byte* const next = pool.take(450 * kMega);
-    pool.give_back({next, 450 * kMega});
+    pool.give_back(next);
     try {
       pool.take(2000 * kMega);
     } catch (const std::bad_alloc&) {
-      pool.give_back({other, 40 * kMega});
-      return pool.free_bytes() == 40 * kMega ? 0 : 2;
+      pool.give_back(other);
+      return pool.kept_bytes() == 40 * kMega ? 0 : 2;
     }
     return 1;
   });

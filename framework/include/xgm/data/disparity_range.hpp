@@ -2,6 +2,7 @@
 // Which disparities are searched: one interval for the image, or one per pixel.
 #pragma once
 
+#include <algorithm>
 #include <opencv2/core.hpp>
 
 #include "xgm/base/export.hpp"
@@ -21,10 +22,17 @@ struct Interval {
 };
 
 /// Both intervals at once; empty (as {0, 0}) if they do not meet.
-XGM_API Interval intersect(Interval a, Interval b);
+inline Interval intersect(Interval a, Interval b) {
+  const Interval both{std::max(a.begin, b.begin), std::min(a.end, b.end)};
+  return both.empty() ? Interval{} : both;
+}
 
 /// The smallest interval that holds both; an empty one adds nothing.
-XGM_API Interval unite(Interval a, Interval b);
+inline Interval unite(Interval a, Interval b) {
+  if (a.empty()) return b;
+  if (b.empty()) return a;
+  return {std::min(a.begin, b.begin), std::max(a.end, b.end)};
+}
 
 /// The disparities to search in an image of size(). Disparity d of a base pixel: x_match = x_base -
 /// d.

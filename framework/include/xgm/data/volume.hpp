@@ -51,8 +51,8 @@ class XGM_API VolumeShape {
     std::uint32_t start;  ///< in granules, from the first one of the row
   };
   const Slice& slice(int y, int x) const {
-    return slices_[static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.width) +
-                   static_cast<std::size_t>(x)];
+    return slices()[static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.width) +
+                    static_cast<std::size_t>(x)];
   }
   std::int64_t offset(int y, const Slice& slice) const {
     return row_[static_cast<std::size_t>(y)] + std::int64_t{slice.start} * kGranule;
@@ -60,8 +60,10 @@ class XGM_API VolumeShape {
   static int rounded_up(int count) { return (count + kGranule - 1) & -kGranule; }
 
  private:
+  const Slice* slices() const { return static_cast<const Slice*>(slices_.get()); }
+
   cv::Size size_;
-  std::vector<Slice> slices_;      // per pixel
+  Cells slices_;                   // per pixel: a Slice
   std::vector<std::int64_t> row_;  // per row, plus one: first cell
   int max_count_ = 0;
   Interval hull_;
