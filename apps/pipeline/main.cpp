@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The command line: every subcommand has a file of its own.
+#include <malloc.h>
+
 #include <spdlog/spdlog.h>
 
 #include <cstdlib>
@@ -43,9 +45,17 @@ int finish(int exit_code) {
   return exit_code == kOk ? kFailed : exit_code;
 }
 
+/// For the next image or map: memory from the system has to be cleared first, page by page.
+void keep_freed_memory() {
+  constexpr int kLargeMap = 1 << 30;
+  mallopt(M_MMAP_THRESHOLD, kLargeMap);
+  mallopt(M_TRIM_THRESHOLD, kLargeMap);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  keep_freed_memory();
   set_up_logging("info");
   // What OpenCV has to say of unreadable files is said better by the errors of xgm.
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);

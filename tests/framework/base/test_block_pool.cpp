@@ -157,7 +157,7 @@ TEST_CASE("without memory: std::bad_alloc, but first the free blocks are dropped
     std::byte* const other = pool.take(40 * kMega);
     pool.give_back(block);
     limit_memory(100 * kMega);
-    // The nearest free block is the large one; the small one in use cannot be dropped.
+    // The kept piece is not enough, and what is missing does not exist as long as it is kept.
     std::byte* const next = pool.take(450 * kMega);
     pool.give_back(next);
     try {

@@ -119,7 +119,10 @@ TEST_CASE("the disparities that fit are found") {
 }
 
 TEST_CASE("a probe finds speeds of all stages, and what a pyramid leaves to search") {
-  const SyntheticScene scene = make_scene({.size = {320, 240}, .disparities = {0, 64}});
+  SceneOptions options;
+  options.size = {320, 240};
+  options.disparities = {0, 64};
+  const SyntheticScene scene = make_scene(options);
   const MatchRequest request{
       scene.pair, DisparityRange::uniform(scene.pair.size(), scene.disparities), {}};
   const Pipeline pipeline = shipped("tsgm8");
