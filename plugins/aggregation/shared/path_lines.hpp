@@ -72,7 +72,7 @@ class PathLines {
   struct Pixel {
     /// Disparities from..to have path costs in memory, those without a match infinite ones; that of
     /// disparity d is cell zero + d of a line of costs.
-    int from = std::numeric_limits<int>::max(), to = std::numeric_limits<int>::min();
+    int from = kNone, to = -kNone;
     int zero = 0;
     int next = 0;            ///< cell behind its margin
     Cell least[kMostPaths];  ///< min_i L(p, i) of each path, infinite if there is no match at all
@@ -120,14 +120,16 @@ class PathLines {
     const int stride = layout_.stride(room);
     int first = (&pixel)[-1].next;
     if (u == 0 || first + stride > static_cast<int>(line.cells)) first = layout_.margin();
-    pixel.from = begin - VolumeShape::kGranule;
-    pixel.to = begin + room + VolumeShape::kGranule - 1;
+    pixel.from = room == 0 ? kNone : begin - VolumeShape::kGranule;
+    pixel.to = room == 0 ? -kNone : begin + room + VolumeShape::kGranule - 1;
     pixel.zero = first - begin;
     pixel.next = first + stride;
     return pixel;
   }
 
  private:
+  static constexpr int kNone = std::numeric_limits<int>::max();
+
   struct Line {
     Cells memory;
     std::size_t cells = 0;  // of each path
