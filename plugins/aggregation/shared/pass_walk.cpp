@@ -121,7 +121,7 @@ const Cell* PassWalk<Cell>::joined(const WalkedPixel<Cell>& pixel, const Pixel& 
   const int begin = previous.from + kGranule, end = previous.to + 1 - kGranule;
   for (int d = std::max(begin, pixel.begin - 1); d < std::min(end, pixel.begin + pixel.room + 1);
        d += kGranule)
-    std::copy_n(costs + previous.zero + d, kGranule, first + (d - pixel.begin));
+    std::copy_n(costs + (previous.zero + d), kGranule, first + (d - pixel.begin));
   return first;
 }
 

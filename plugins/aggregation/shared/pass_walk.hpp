@@ -33,7 +33,7 @@ template <class Cell>
 struct WalkedPixel {
   int u;
   int begin, count, room;
-  int zero;     ///< path costs are at zero + d
+  int first;    ///< cell of a line of path costs that the slice begins with
   Cell* least;  ///< min_i L(p, i) of each path; infinite if there is no match at all
   const std::uint8_t* cost;
   std::uint16_t* sums;
@@ -81,9 +81,12 @@ class PassWalk {
       if (line.back[other][pixel.u].counts()) step = other;
     }
     const Pixel& previous = line.back[step][pixel.u];
-    const Cell* cells = line.back_costs[step] + previous.zero + pixel.begin;
-    if (pixel.begin - 1 < previous.from || pixel.begin + pixel.room > previous.to)
-      cells = joined(pixel, previous, line.back_costs[step], line.scratch + scratch_stride_ * step);
+    const bool holds_all =
+        pixel.begin - 1 >= previous.from && pixel.begin + pixel.room <= previous.to;
+    const Cell* const cells = holds_all
+                                  ? line.back_costs[step] + (previous.zero + pixel.begin)
+                                  : joined(pixel, previous, line.back_costs[step],
+                                           line.scratch + std::ptrdiff_t{scratch_stride_} * step);
     return {cells, previous.least[path], step, line.p1[step], line.p2[step]};
   }
 
@@ -131,7 +134,7 @@ WalkedPixel<Cell> PassWalk<Cell>::open(Line& line, int u) {
   pixel.room = VolumeShape::rounded_up(slice.count);
   pixel.begin = slice.begin;
   Pixel& kept = lines_.open(u, line.v, slice.begin, pixel.room);
-  pixel.zero = kept.zero;
+  pixel.first = kept.zero + slice.begin;
   pixel.least = kept.least;
   if (pixel.room == 0) {
     std::fill_n(pixel.least, step_.paths, kInfinite<Cell>);
@@ -144,9 +147,15 @@ WalkedPixel<Cell> PassWalk<Cell>::open(Line& line, int u) {
   const std::int64_t next_offset = shape_.offset(next.y, next.x);
   pixel.next_cost = costs_.data() + next_offset;
   pixel.next_sums = sums_.data() + next_offset;
-  const int slot = line.penalty_slot < 0 ? at.y : line.penalty_slot;
-  pixel.classes = step_.match_classes == 1 ? nullptr : penalties_.match_at(slot, at.x, slice.begin);
   const PixelClasses& base = penalties_.base();
+  const bool crosses_rows = line.penalty_slot < 0;
+  const int slot = crosses_rows ? at.y : line.penalty_slot;
+  pixel.classes = nullptr;
+  if (step_.match_classes > 1) {
+    pixel.classes = penalties_.match_at(slot, at.x, slice.begin);
+    if (crosses_rows) __builtin_prefetch(penalties_.match_at(later.y, later.x, slice.begin));
+  }
+  if (crosses_rows && base.count() > 1) __builtin_prefetch(base.at(later.y, later.x));
   if (base.count() > 1 && *base.at(slot, at.x) != line.base_classes)
     find_penalties(line, {at.x, slot});
   return pixel;

@@ -252,7 +252,7 @@ class PathInRegisters {
                              const WalkedPixel<Cell>& pixel, int path)
       : one_(walk.term(line, pixel, path, 0, kTerms)),
         other_(walk.term(line, pixel, path, kTerms - 1, kTerms)),
-        costs_(line.costs[path] + pixel.zero + pixel.begin),
+        costs_(line.costs[path] + pixel.first),
         least_(hn::Set(D(), kInfinite<Cell>)) {}
 
   /// Writes a block of path costs. Returns what the path brings.

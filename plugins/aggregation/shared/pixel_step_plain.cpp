@@ -53,7 +53,7 @@ void extend_plain(const PassWalk<Cell>& walk, const WalkedLine<Cell>& line,
   for (int k = 0; k < pass.paths; ++k) {
     for (int i = 0; i < pass.terms; ++i) terms[k][i] = walk.term(line, pixel, k, i, pass.terms);
   }
-  const auto costs = [&](int path) { return line.costs[path] + pixel.zero + pixel.begin; };
+  const auto costs = [&](int path) { return line.costs[path] + pixel.first; };
   Cell* const least = pixel.least;
   std::fill_n(least, pass.paths, kInfinite<Cell>);
   for (int i = 0; i < pixel.room; ++i) {
