@@ -71,6 +71,9 @@ struct RowPair {
   }
 };
 
+template <class Number>
+RowPair(const PixelRow<Number>&, const PixelRow<Number>&, int) -> RowPair<Number>;
+
 /// The layout of match rows that hold a candidate, or say that there is none, for every cell of the
 /// volume and for what lies between a slice's last cell and its end.
 inline RowLayout candidates_of(const VolumeShape& shape) {
