@@ -12,6 +12,9 @@
 
 namespace xgm::aggregation {
 
+/// What the threads need at a time, of the `lines` of a pass.
+LinesKept lines_kept(const Pass& pass, int lines, int threads);
+
 template <class Cell>
 class PassRunner {
  public:
