@@ -96,8 +96,7 @@ void check_request(const MatchRequest& request) {
 /// What volumes leave for each other is gone before the maps are worked on.
 MatchResult match(const Context& context, const Slot<Matcher>& matcher,
                   const MatchRequest& request) {
-  trim_heap();  // key points leave hundreds of MB behind, in heaps of threads that need them no
-                // more
+  trim_heap();  // where key points leave hundreds of MB behind
   const CellReuse reuse;
   return matcher(context, request);
 }
@@ -132,6 +131,7 @@ void Pipeline::plan(const Workload& load, const Planner& planner) const {
   const PipelineParameters& p = impl_->parameters;
   Planner::Hold pair;  // run() begins with the caller's, which the caller holds
   for (const auto& stage : p.preprocess) pair = stage.plan(planner, load);
+  planner.drop_free_heap();
   Planner::Hold forward = p.matcher.plan(planner, load);
   planner.drop_free_volumes();
   for (const auto& stage : p.postprocess) {

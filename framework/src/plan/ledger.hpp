@@ -12,10 +12,13 @@ namespace xgm {
 struct PlanLedger {
   std::optional<Narrowing> narrowing{};
 
-  double others = 0;   ///< held now
-  double volumes = 0;  ///< held now
-  /// Freed volumes wait to be used again, see CellReuse: their memory counts as long.
-  double most_volumes = 0;
+  double others = 0, volumes = 0;  ///< held now
+  /// The most since free memory went back to the system. What is freed waits to be used again, in
+  /// the heap or as CellReuse says: it counts as long.
+  double most_others = 0, most_volumes = 0;
+  double holes = 0;  ///< of the heap: free, but no longer used again
+  double peak_bytes = 0;
+  std::size_t peak_row = 0;            ///< in which stage that was reached
   std::vector<PlannedStage> stages{};  ///< in the order in which they begin
   std::vector<std::size_t> open{};     ///< rows of the stages that run now, outermost first
 

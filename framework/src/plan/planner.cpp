@@ -8,16 +8,16 @@
 
 namespace xgm {
 
-// The heap has holes: what is freed between blocks in use cannot go back to the system. Volumes do
-// not come from the heap.
-static constexpr double kHeapHoles = 1.1;
-
 void PlanLedger::add(double more_others, double more_volumes) {
   others += more_others;
   volumes += more_volumes;
+  most_others = std::max(most_others, others);
   most_volumes = std::max(most_volumes, volumes);
-  for (const std::size_t row : open) {
-    stages[row].memory = std::max(stages[row].memory, kHeapHoles * others + most_volumes);
+  const double memory = holes + most_others + most_volumes;
+  for (const std::size_t row : open) stages[row].memory = std::max(stages[row].memory, memory);
+  if (memory > peak_bytes && !open.empty()) {
+    peak_bytes = memory;
+    peak_row = open.back();
   }
 }
 
@@ -64,6 +64,16 @@ Planner::Hold Planner::take(const Needs& needs) const {
 }
 
 const std::optional<Narrowing>& Planner::narrowing() const { return ledger_->narrowing; }
+
+void Planner::leave_holes() const {
+  ledger_->holes += ledger_->most_others - ledger_->others;
+  ledger_->most_others = ledger_->others;
+}
+
+void Planner::drop_free_heap() const {
+  leave_holes();
+  ledger_->holes = 0;
+}
 
 void Planner::drop_free_volumes() const { ledger_->most_volumes = ledger_->volumes; }
 

@@ -37,8 +37,7 @@ class Mgm final : public xgm::Aggregation {
   }
 
   xgm::Needs needs(const xgm::Workload& load) const override {
-    return xgm::aggregation::needs(
-        load, {.paths = parameters_.directions, .steps = 2, .passes = 4, .bytes_per_cell = 2});
+    return xgm::aggregation::needs(load, xgm::mgm::passes(parameters_.directions));
   }
 
  private:

@@ -28,7 +28,7 @@ class Sgm final : public xgm::Aggregation {
   }
 
   xgm::Needs needs(const xgm::Workload& load) const override {
-    return xgm::aggregation::needs(load, {.paths = parameters_.directions});
+    return xgm::aggregation::needs(load, xgm::sgm::passes(parameters_.directions));
   }
 
  private:

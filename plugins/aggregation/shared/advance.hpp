@@ -9,7 +9,7 @@ namespace xgm::aggregation {
 /// The lines of a band, line i being i * lag pixels behind the first one.
 template <class Cell>
 struct Band {
-  WalkedLine<Cell> lines[PassWalk<Cell>::kBand];
+  WalkedLine<Cell> lines[kBand];
   int count;
 };
 

@@ -26,20 +26,19 @@ int find_lag(const Pass& pass) {
   return lag;
 }
 
+}  // namespace
+
 /// A band is begun when all before it are finished but those that other threads are at. While a
 /// line of it is at pixel u, the ones that look back at it are at u - 2 * lag or before.
-LinesKept lines_kept(const Pass& pass, int lines, int band) {
+LinesKept lines_kept(const Pass& pass, int lines, int threads) {
   int looked_back = 0;
   for (const Direction x : all_steps(pass))
     looked_back = std::max(looked_back, lines_across(x, pass.across));
-  const int bands = (lines + band - 1) / band;
-  return {.bands = std::min(thread_count() + 1, bands),
-          .band_lines = band,
+  return {.bands = std::min(threads + 1, (lines + kBand - 1) / kBand),
+          .band_lines = kBand,
           .last_lines = looked_back,
           .pixels = 2 * find_lag(pass) + 2 * kFarthest + 1};
 }
-
-}  // namespace
 
 template <class Cell>
 PassWalk<Cell>::PassWalk(const CostVolume& costs, const PenaltyField& penalties, const Pass& pass,
@@ -51,7 +50,7 @@ PassWalk<Cell>::PassWalk(const CostVolume& costs, const PenaltyField& penalties,
       frame_(shape_.size(), pass.along, pass.across),
       lag_(find_lag(pass)),
       lines_(layout, frame_, static_cast<int>(pass.paths.size()),
-             lines_kept(pass, frame_.lines(), kBand)),
+             lines_kept(pass, frame_.lines(), thread_count())),
       penalties_(penalties, all_steps(pass),
                  frame_.lines_are_rows() ? lines_.slots() : shape_.height(), shape_.width(),
                  shape_.hull(), 1 << step.bits),

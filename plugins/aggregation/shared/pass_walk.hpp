@@ -14,6 +14,13 @@
 
 namespace xgm::aggregation {
 
+/// Lines that a thread walks along at once, a pixel of each in turn. A path along the line has to
+/// wait for its least cost at one pixel before the next; meanwhile the other lines advance.
+inline constexpr int kBand = 4;
+
+/// What path costs a pass keeps when so many threads walk.
+LinesKept lines_kept(const Pass& pass, int lines, int threads);
+
 /// A line that is being walked along.
 template <class Cell>
 struct WalkedLine {
@@ -47,10 +54,6 @@ class PassWalk {
  public:
   using Pixel = typename PathLines<Cell>::Pixel;
   using Line = WalkedLine<Cell>;
-
-  /// Lines that a thread walks along at once, a pixel of each in turn. A path along the line has to
-  /// wait for its least cost at one pixel before the next; meanwhile the other lines advance.
-  static constexpr int kBand = 4;
 
   /// `step` says what is the same for all passes; paths, terms and classes are found here.
   PassWalk(const CostVolume& costs, const PenaltyField& penalties, const Pass& pass,

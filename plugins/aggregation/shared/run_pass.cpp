@@ -10,7 +10,6 @@ namespace xgm::aggregation {
 
 template <class Cell>
 void run_pass(PassWalk<Cell>& walk, LineProgress& progress) {
-  constexpr int kBand = PassWalk<Cell>::kBand;
   const Advance<Cell> advance = choose_advance<Cell>(walk.step());
   ExceptionKeeper keeper;
   walk.load_penalties();

@@ -75,6 +75,7 @@ class Pyramid final : public xgm::Matcher {
     while (levels.size() > 1) {
       levels.pop_back();
       images.pop_back();
+      planner.leave_holes();  // a finer level's maps are four times larger
       const xgm::Planner here = level(planner, levels.size());
       const xgm::Workload narrow = narrowed(levels.back(), here);
       xgm::Planner::Hold reverse_range;

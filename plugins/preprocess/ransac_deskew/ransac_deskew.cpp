@@ -111,11 +111,13 @@ class RansacDeskew final : public xgm::Preprocess {
     return {pair.base, warp_rows(pair.match, model), pair.is_reverse};
   }
 
-  /// The base image stays as it is.
+  /// The base image stays as it is; the match image is warped, and gets a mask, when all that the
+  /// key points needed is free again.
   xgm::Needs needs(const xgm::Workload& load) const override {
-    return {.others = load.image_bytes() + load.pixels(),
-            .working = xgm::ransac_deskew::key_point_bytes(load.size, load.threads),
-            .updates = load.pixels()};
+    const double warped = load.image_bytes() + (load.masked ? 0 : load.pixels());
+    const double key_points = xgm::ransac_deskew::key_point_bytes(load.size, load.threads);
+    return {
+        .others = warped, .working = std::max(0.0, key_points - warped), .updates = load.pixels()};
   }
 
  private:

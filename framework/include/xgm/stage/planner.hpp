@@ -43,6 +43,9 @@ class XGM_API Planner {
   [[nodiscard]] Hold hold(double bytes) const;
   /// The stage that stands here has these needs. What it returns is held by the result.
   [[nodiscard]] Hold take(const Needs& needs) const;
+  /// What was freed until now is in pieces too small for what follows: it stays with the process,
+  /// but is not used again.
+  void leave_holes() const;
   /// What is known of this scene; empty: nothing.
   const std::optional<Narrowing>& narrowing() const;
 
@@ -55,7 +58,8 @@ class XGM_API Planner {
     end(row);
     return result;
   }
-  /// Used by pipelines: what freed volumes have left for later ones goes back to the system.
+  /// Used by pipelines: what was freed, of the heap or of volumes, goes back to the system.
+  void drop_free_heap() const;
   void drop_free_volumes() const;
 
  private:
