@@ -11,7 +11,6 @@
 #include "run_inputs.hpp"
 #include "run_memory.hpp"
 #include "run_observer.hpp"
-#include "xgm/base/parallel.hpp"
 #include "xgm/io/file.hpp"
 
 namespace xgm::cli {
@@ -42,9 +41,12 @@ int explain_checked(const Options& options, const Pipeline& pipeline, const Plan
   Dumper no_dumps({}, {});
   RunObserver observer(progress, no_dumps);
   observer.show_to(*explainer);
-  progress.begin("matching");
   const MatchRequest request{std::move(scene.pair), range, {}};
-  guard_memory(pipeline, request, {.load = workload_of(request, thread_count())}, {});
+  guard_memory(
+      pipeline, request,
+      {.load = workload_of(request, threads_of(options)), .truth = !scene.truth.disparity.empty()},
+      plan.memory_limit);
+  progress.begin("matching");
   pipeline.run(request, observer, options.threads);
   progress.end();
   print(options, explainer->explanations().front());

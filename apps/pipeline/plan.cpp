@@ -14,7 +14,6 @@
 #include "run_inputs.hpp"
 #include "run_memory.hpp"
 #include "values.hpp"
-#include "xgm/base/parallel.hpp"
 
 namespace xgm::cli {
 namespace {
@@ -141,7 +140,7 @@ int plan(const Options& options) {
   const auto named = load_named(options.pipeline, registry, parse_overrides(options.assignments));
   if (!named) return kUsage;
   const Pipeline& pipeline = named->pipeline;
-  const int threads = options.threads > 0 ? options.threads : thread_count();
+  const int threads = threads_of(options);
   Progress progress;
   progress.begin("measuring the speed of this machine");
   const PlanRequest request =

@@ -17,7 +17,6 @@
 #include "run_observer.hpp"
 #include "run_options.hpp"
 #include "run_results.hpp"
-#include "xgm/base/parallel.hpp"
 #include "xgm/io/outputs.hpp"
 #include "xgm/memory.hpp"
 
@@ -40,7 +39,7 @@ RunRecord begin_record(const RunOptions& options, const NamedPipeline& named,
   record.resolved_pipeline = named.pipeline.resolved_json();
   record.overrides = overrides;
   record.disparities_from = plan.disparities_from;
-  record.threads = options.threads > 0 ? options.threads : thread_count();
+  record.threads = threads_of(options);
   return record;
 }
 

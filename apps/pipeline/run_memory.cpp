@@ -13,13 +13,16 @@ namespace {
 std::string remedy(const Pipeline& pipeline, const PlanRequest& request, const RunPlan& plan,
                    double limit) {
   const Interval range = request.load.range;
-  const int fitting = request.load.ragged ? 0 : most_disparities(pipeline, request, limit);
-  std::string text = fitting > 0
-                         ? fmt::format("search at most {} disparities (--disparities {}:{}), ",
-                                       fitting, range.begin, range.begin + fitting - 1)
-                         : "search fewer disparities, ";
+  const std::string smaller = "match smaller images";
+  std::string text = "search fewer disparities, ";
+  if (!request.load.ragged) {
+    const int fitting = most_disparities(pipeline, request, limit);
+    if (fitting == 0) return smaller;
+    text = fmt::format("search at most {} disparities (--disparities {}:{}), ", fitting,
+                       range.begin, range.begin + fitting - 1);
+  }
   if (!plan.estimated) text += "take a pyramid pipeline (tmgm16), ";
-  return text + "or match smaller images";
+  return text + "or " + smaller;
 }
 
 }  // namespace
@@ -47,7 +50,7 @@ void guard_memory(const Pipeline& pipeline, const MatchRequest& match, const Pla
   const std::string what_helps = remedy(pipeline, known, plan, limit.value_or(free));
   if (limit) {
     throw UsageError(needed + ", and --memory-limit allows " + bytes_text(*limit) + "; " +
-                     what_helps);
+                     what_helps + ", or raise the limit");
   }
   spdlog::warn("{}, and {} are free; if memory runs out, {}", needed, bytes_text(free), what_helps);
 }

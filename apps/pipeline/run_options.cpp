@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "run_options.hpp"
 
+#include "xgm/base/parallel.hpp"
+
 namespace xgm::cli {
 namespace {
 
@@ -56,9 +58,10 @@ CLI::Option* add_interval(CLI::App& command, RunOptions& options) {
       ->type_name("MIN:MAX");
 }
 
-void add_search(CLI::App& command, RunOptions& options) {
+/// Returns --range-maps.
+CLI::Option* add_search(CLI::App& command, RunOptions& options) {
   auto* interval = add_interval(command, options);
-  command
+  return command
       .add_option("--range-maps", options.range_maps,
                   "Smallest and largest disparity of every pixel, both included: two PFM files; "
                   "not finite = nothing to search")
@@ -169,6 +172,7 @@ void add_explain_options(CLI::App& command, RunOptions& options, std::vector<std
   add_images(command, options);
   add_search(command, options);
   add_matching(command, options);
+  add_memory_limit_option(command, options.memory_limit);
   add_truth(command, options);
   add_surroundings(command, options);
 }
@@ -178,11 +182,12 @@ void add_plan_options(CLI::App& command, RunOptions& options, std::string& size)
   auto* scene = add_scene(command, options);
   add_scene_choice(command, options, scene);
   auto* images = add_images(command, options)->excludes(scene);
-  add_search(command, options);
+  auto* range_maps = add_search(command, options);
   command.add_option("--size", size, "In place of a scene: the size of colour images, px")
       ->type_name("WxH")
       ->excludes(scene)
-      ->excludes(images);
+      ->excludes(images)
+      ->excludes(range_maps);
   add_matching(command, options);
   add_surroundings(command, options);
 }
@@ -199,6 +204,10 @@ void add_speed_options(CLI::App& command, RunOptions& options) {
   add_interval(command, options);
   add_matching(command, options);
   add_surroundings(command, options);
+}
+
+int threads_of(const RunOptions& options) {
+  return options.threads > 0 ? options.threads : thread_count();
 }
 
 std::pair<std::string, std::string> parse_range_maps(const std::string& text) {

@@ -45,6 +45,9 @@ void add_speed_options(CLI::App& command, RunOptions& options);
 /// Those of a run that matter to its memory and time, and --size.
 void add_plan_options(CLI::App& command, RunOptions& options, std::string& size);
 
+/// Those asked for, else all processors.
+int threads_of(const RunOptions& options);
+
 /// "min.pfm,max.pfm". Throws UsageError.
 std::pair<std::string, std::string> parse_range_maps(const std::string& text);
 

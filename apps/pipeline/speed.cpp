@@ -11,7 +11,6 @@
 #include "output_folder.hpp"
 #include "progress.hpp"
 #include "run_inputs.hpp"
-#include "xgm/base/parallel.hpp"
 #include "xgm/base/simd.hpp"
 #include "xgm/bench_speed.hpp"
 #include "xgm/io/file.hpp"
@@ -42,7 +41,7 @@ std::vector<std::string> choose(const std::string& what, const std::vector<std::
 
 SpeedPlan make_speed_plan(const Options& options) {
   SpeedPlan plan;
-  plan.threads = options.threads > 0 ? options.threads : thread_count();
+  plan.threads = threads_of(options);
   plan.rounds = options.repeat;
   try {
     plan.peers = choose("StereoSGBM mode", options.opencv, opencv_modes());

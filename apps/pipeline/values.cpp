@@ -55,8 +55,7 @@ Interval parse_disparities(const std::string& text, const std::string& option) {
 }
 
 double parse_bytes(const std::string& text, const std::string& option) {
-  static const std::map<std::string, double> units{{"", 1},
-                                                   {"B", 1},
+  static const std::map<std::string, double> units{{"B", 1},
                                                    {"kB", 1e3},
                                                    {"KB", 1e3},
                                                    {"MB", 1e6},

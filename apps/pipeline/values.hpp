@@ -19,7 +19,7 @@ std::optional<int> parse_whole(std::string_view text);
 /// "MIN:MAX", both included. Throws UsageError, which names the option.
 Interval parse_disparities(const std::string& text, const std::string& option = "--disparities");
 
-/// "2.5GB", "800 MB", "1GiB", "1e9" as bytes. Throws UsageError, which names the option.
+/// "2.5GB", "800 MB", "1GiB" as bytes. Throws UsageError, which names the option.
 double parse_bytes(const std::string& text, const std::string& option);
 
 /// "0.5,1,2" of --thresholds: rising, 0 or more; the usual ones if it is empty. Throws UsageError.

@@ -67,7 +67,7 @@ TEST_CASE("plan: the peak of a run is within 15 % of the plan, dense and in a py
     const double measured = desk.measured_peak(arguments);
     const double planned = desk.plan(arguments)["peak_memory_bytes"];
     MESSAGE(name, ": planned ", planned / 1e6, " MB, measured ", measured / 1e6, " MB");
-    CHECK(planned > 0.85 * measured);
+    CHECK(planned > 0.87 * measured);
     CHECK(planned < 1.15 * measured);
   }
 }
@@ -103,6 +103,7 @@ TEST_CASE("plan: mistakes are exit 2") {
   check_usage(desk.call("plan sgm8 --size 640x480"), "--disparities MIN:MAX");
   check_usage(desk.call("plan sgm8 --size 64x48 --disparities 100:120"), "cannot be seen");
   check_usage(desk.call("plan sgm8 scene --size 64x48"), "--size");
+  check_usage(desk.call("plan sgm8 --size 64x48 --range-maps a.pfm,b.pfm"), "--size");
   check_usage(desk.call("plan sgm8 nowhere"), "no such folder");
 }
 
@@ -118,8 +119,13 @@ TEST_CASE("run: --memory-limit refuses before any work, and says what to change"
   CHECK_FALSE(contains(pyramid.errors, "take a pyramid pipeline"));
   check_usage(desk.call("run sgm8 scene --memory-limit lots"), "800MB, 2.5GB");
   check_usage(desk.call("run sgm8 scene --memory-limit 0GB"), "800MB, 2.5GB");
+  check_usage(desk.call("run sgm8 scene --memory-limit 800"), "800MB, 2.5GB");
   check_usage(desk.call("bench --pipelines sgm8 --data scene --memory-limit 5apples"),
               "800MB, 2.5GB");
+  check_usage(desk.call("explain sgm8 scene 10 10 --memory-limit 150MB"), "search at most ");
+  const Outcome nothing = desk.call("run sgm8 scene --memory-limit 1MB");
+  check_usage(nothing, "match smaller images, or raise the limit");
+  CHECK_FALSE(contains(nothing.errors, "disparities, "));
   CHECK(desk.call("run tsgm8 scene --memory-limit 1.5GB --log-level error").exit_code == 0);
 }
 
