@@ -45,11 +45,12 @@ int finish(int exit_code) {
   return exit_code == kOk ? kFailed : exit_code;
 }
 
-/// For the next image or map: memory from the system has to be cleared first, page by page.
+/// For the next image or map: memory from the system has to be cleared first, page by page. What is
+/// larger is a volume, which xgm::new_cells() keeps, or OpenCV's.
 void keep_freed_memory() {
-  constexpr int kLargeMap = 1 << 30;
+  constexpr int kLargeMap = 128 << 20;
   mallopt(M_MMAP_THRESHOLD, kLargeMap);
-  mallopt(M_TRIM_THRESHOLD, kLargeMap);
+  mallopt(M_TRIM_THRESHOLD, 4 * kLargeMap);
 }
 
 }  // namespace
