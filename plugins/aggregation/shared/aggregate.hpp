@@ -31,11 +31,12 @@ struct AggregationOptions {
 /// A disparity outside the range of p - x, or kNoMatch there, is infinitely dear. If p - x lies
 /// outside the image or has no finite cell, x does not count; if none counts, L_r(p, d) = C(p, d).
 ///
-/// Paths of one step are computed in whole numbers, exactly. Means are computed with fraction bits,
-/// as many as the 16-bit sums have room for (fixed_point.hpp).
+/// Paths of one step are computed in whole numbers, exactly. Means are computed with fraction bits
+/// (choose_fraction_bits() in fixed_point.hpp).
 ///
-/// Memory beside the two volumes: path costs of thread_count() + 2 lines, and where penalties vary,
-/// classes: two bytes per step and pixel in passes along columns, of a few rows otherwise.
+/// Memory beside the two volumes: path costs of thread_count() + 1 lines, twice as many with 16
+/// directions; and where penalties vary, classes: a byte per pixel of each view if there are two (a
+/// byte per step and pixel if more) in passes along columns, those of a few rows otherwise.
 ///
 /// Throws Error if the sums cannot fit 16 bit (or path costs the asked width), or if the penalties
 /// do not hold 0 <= P1 <= P2.
