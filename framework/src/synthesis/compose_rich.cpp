@@ -163,6 +163,16 @@ class Composer {
     return std::min(natural, room);
   }
 
+  // Arguments may be computed in any order; random numbers must not.
+  void pillar() {
+    const double half_length = real(0.15, 0.4);
+    column(real(0.03, 0.08) * width_, half_length, 0.15);
+  }
+  void pole() {
+    const double half_length = real(0.25, 0.6);
+    column(real(0.5, 2.0) * scale_, half_length, 0.2);
+  }
+
   void add_object(int kind) {
     switch (kind) {
       case 0:
@@ -171,13 +181,13 @@ class Composer {
       case 2:
         return ball();
       case 3:
-        return column(real(0.03, 0.08) * width_, real(0.15, 0.4), 0.15);
+        return pillar();
       case 4:
         return sheet();
       case 5:
         return foliage();
       case 6:
-        return column(real(0.5, 2.0) * scale_, real(0.25, 0.6), 0.2);  // a pole
+        return pole();
       case 7:
         return wire();
       default:
