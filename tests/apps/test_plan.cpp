@@ -58,7 +58,7 @@ void check_usage(const Outcome& outcome, const std::string& message) {
 }  // namespace
 
 // Sanitizers need memory of their own.
-#ifndef __SANITIZE_ADDRESS__
+#ifndef XGM_SANITIZED
 TEST_CASE("plan: the peak of a run is within 15 % of the plan, dense and in a pyramid") {
   const Desk desk;
   for (const std::string name : {"sgm8", "mgm16", "tsgm8", "tmgm16_refined"}) {

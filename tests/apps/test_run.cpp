@@ -207,7 +207,7 @@ TEST_CASE("run: a plugin file that cannot be loaded is warned of and stops nothi
   CHECK(contains(outcome.errors, "junk.so could not be loaded"));
 }
 
-#if !defined(__SANITIZE_ADDRESS__)  // which needs far more address space than it uses
+#ifndef XGM_SANITIZED  // which needs far more address space than it uses
 TEST_CASE("run: more memory than there is is an error, not a killed process") {
   const Desk desk;
   write_png(desk / "l.png", cv::Mat1b(60, 4000, 9.0));

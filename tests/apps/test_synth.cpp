@@ -82,20 +82,19 @@ TEST_CASE("synth: negative disparities are possible, and how to match them is sa
 
 TEST_CASE("synth: mistakes are told in one line, before anything is written") {
   const TemporaryFolder folder;
-  for (const auto& [arguments, message] :
-       {std::pair{"synth out --size 64", "--size 64: write WIDTHxHEIGHT"},
-        {"synth out --size 0x5", "--size 0x5: write WIDTHxHEIGHT"},
-        {"synth out --size 999999x999999", "400 million"},
-        {"synth out --disparities 9:3", "did you mean 3:9?"},
-        {"synth out --fault blurr=2", "did you mean 'blur'?"},
-        {"synth out --fault noise=900", "give a number from 0 to 255"},
-        {"synth out --bits 12", "bits"},
-        {"synth out --count 0", "count"},
-        {"synth", "output"}}) {
-    CAPTURE(arguments);
-    const Outcome outcome = call(folder, arguments);
+  for (const auto& mistake : {std::pair{"synth out --size 64", "--size 64: write WIDTHxHEIGHT"},
+                              {"synth out --size 0x5", "--size 0x5: write WIDTHxHEIGHT"},
+                              {"synth out --size 999999x999999", "400 million"},
+                              {"synth out --disparities 9:3", "did you mean 3:9?"},
+                              {"synth out --fault blurr=2", "did you mean 'blur'?"},
+                              {"synth out --fault noise=900", "give a number from 0 to 255"},
+                              {"synth out --bits 12", "bits"},
+                              {"synth out --count 0", "count"},
+                              {"synth", "output"}}) {
+    CAPTURE(mistake.first);
+    const Outcome outcome = call(folder, mistake.first);
     CHECK(outcome.exit_code == 2);
-    CHECK(contains(outcome.errors, message));
+    CHECK(contains(outcome.errors, mistake.second));
   }
   CHECK_FALSE(std::filesystem::exists(folder / "out"));
   CHECK(call(folder, "synth /proc/nothing").exit_code == 2);

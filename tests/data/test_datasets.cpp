@@ -192,9 +192,9 @@ TEST_CASE("real scenes are as their list says, read through the official layouts
     const fs::path derived = source / "mask0nocc_derived.png";
     if (fs::exists(derived)) check_derived_mask(derived, truth);
     const double at_truth = photometric_error(scene, truth, 0);
-    for (const auto& [column, offset] : {std::pair{"err_m1", -1.0}, {"err_p1", 1.0}}) {
-      if (number(row, column) <= number(row, "err_gt")) continue;
-      CHECK_MESSAGE(at_truth < photometric_error(scene, truth, offset), column);
+    for (const auto& beside : {std::pair{"err_m1", -1.0}, {"err_p1", 1.0}}) {
+      if (number(row, beside.first) <= number(row, "err_gt")) continue;
+      CHECK_MESSAGE(at_truth < photometric_error(scene, truth, beside.second), beside.first);
     }
   }
 }

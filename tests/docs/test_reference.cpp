@@ -92,9 +92,10 @@ TEST_CASE("the pages in docs/reference are up to date") {
   for (const auto& entry : std::filesystem::directory_iterator(kFolder)) {
     found.insert(entry.path().filename().string());
   }
-  for (const auto& [name, text] : pages()) {
-    REQUIRE_MESSAGE(found.erase(name) == 1, name, " is missing");
-    CHECK_MESSAGE(read_file((kFolder / name).string()) == text, name, " is stale");
+  for (const auto& page : pages()) {
+    REQUIRE_MESSAGE(found.erase(page.first) == 1, page.first, " is missing");
+    CHECK_MESSAGE(read_file((kFolder / page.first).string()) == page.second, page.first,
+                  " is stale");
   }
   for (const std::string& name : found) FAIL_CHECK(name, " belongs to no kind; remove it");
 }

@@ -86,15 +86,15 @@ HWY_INLINE hn::VFromD<D> load_cost(D d, const std::uint8_t* cost, int bits, int 
   return hn::IfThenElse(exists, c, hn::Set(d, kInfinite<hn::TFromD<D> >));
 }
 
-/// The match classes of a block's disparities.
+/// The match classes of a block's disparities, from i on.
 template <bool kClasses, class D>
-HWY_INLINE hn::VFromD<D> load_classes(D d, const std::uint8_t* classes) {
+HWY_INLINE hn::VFromD<D> load_classes(D d, const std::uint8_t* classes, int i) {
   if constexpr (!kClasses) {
     return hn::Zero(d);
   } else if constexpr (sizeof(hn::TFromD<D>) == 1) {
-    return hn::LoadU(d, classes);
+    return hn::LoadU(d, classes + i);
   } else {
-    return hn::PromoteTo(d, hn::LoadU(hn::Rebind<std::uint8_t, D>(), classes));
+    return hn::PromoteTo(d, hn::LoadU(hn::Rebind<std::uint8_t, D>(), classes + i));
   }
 }
 
@@ -335,7 +335,7 @@ class Group {
   HWY_INLINE void extend_block(Block d, int i, Paths&... paths) {
     if (first_path_ == 0) prefetch(d, i);
     const auto cost = load_cost(d, pixel_.cost + i, pass_.bits, pixel_.count - i);
-    const auto classes = load_classes<kClasses>(d, pixel_.classes + i);
+    const auto classes = load_classes<kClasses>(d, pixel_.classes, i);
     const hn::VFromD<Block> brought[kPaths] = {paths.extend(d, cost, classes, i)...};
     Sums<Block> sums;
     for (int k = 0; k < kPaths; ++k) {

@@ -23,9 +23,9 @@ namespace {
 
 constexpr std::size_t kMega = std::size_t{1} << 20;
 
-/// Page faults that memory used again may have. With the address sanitizer they cannot be told from
+/// Page faults that memory used again may have. With a sanitizer they cannot be told from
 /// those of its own books.
-#ifdef __SANITIZE_ADDRESS__
+#ifdef XGM_SANITIZED
 constexpr long kFewFaults = std::numeric_limits<long>::max();
 #else
 constexpr long kFewFaults = 4;

@@ -78,7 +78,8 @@ TEST_CASE("every way in which a plugin file can be bad has a message of its own"
       {folder.path() + "/absent.so", "there is no such file"},
   };
   std::set<std::string> reasons;
-  for (const auto& [file, message] : expected) {
+  for (const auto& entry : expected) {
+    const std::string& file = entry.first;
     CAPTURE(file);
     Registry registry = xgm::testing::fake_registry();
     const std::size_t before = plugin_count(registry);
@@ -87,7 +88,7 @@ TEST_CASE("every way in which a plugin file can be bad has a message of its own"
     REQUIRE(registry.failures().size() == 1);
     const LoadFailure& failure = registry.failures().front();
     CHECK(failure.file == file);
-    CHECK_MESSAGE(contains(failure.reason, message), failure.reason);
+    CHECK_MESSAGE(contains(failure.reason, entry.second), failure.reason);
     reasons.insert(failure.reason);
   }
   CHECK(reasons.size() == expected.size());

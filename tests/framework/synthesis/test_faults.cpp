@@ -80,9 +80,10 @@ TEST_CASE("fault blur: the match view behind a Gaussian") {
 
 TEST_CASE("fault vignetting: both views, nothing in the middle, all of it in the corners") {
   const GeneratedScene clean = scene_with(""), faulty = scene_with("vignetting=0.6");
-  for (const auto& [plain, dark] :
-       {std::pair{base(clean), base(faulty)}, {match(clean), match(faulty)}}) {
-    const auto left = [&](int y, int x) { return static_cast<double>(dark(y, x) / plain(y, x)); };
+  for (const auto& views : {std::pair{base(clean), base(faulty)}, {match(clean), match(faulty)}}) {
+    const auto left = [&](int y, int x) {
+      return static_cast<double>(views.second(y, x) / views.first(y, x));
+    };
     CHECK(left(0, 0) == doctest::Approx(0.4).epsilon(1e-4));
     CHECK(left(149, 199) == doctest::Approx(0.4).epsilon(1e-4));
     CHECK(left(75, 100) == doctest::Approx(1).epsilon(1e-3));
@@ -140,10 +141,10 @@ TEST_CASE("fault weak_texture: that much less contrast, in about that share of t
     std::string fault;
     double low, high;
   };
-  for (const auto& [fault, low, high] : {Expected{"weak_texture=0.9,1", 1, 1},
-                                         {"weak_texture=0.9,0.5", 0.35, 0.65},
-                                         {"weak_texture=0.9,0.2", 0.05, 0.35}}) {
-    const GeneratedScene faulty = scene_with(fault, plain);
+  for (const Expected& expected : {Expected{"weak_texture=0.9,1", 1, 1},
+                                   {"weak_texture=0.9,0.5", 0.35, 0.65},
+                                   {"weak_texture=0.9,0.2", 0.05, 0.35}}) {
+    const GeneratedScene faulty = scene_with(expected.fault, plain);
     int steep = 0, weak = 0;
     for (int y = 0; y < 400; ++y) {
       for (int x = 0; x < 599; ++x) {
@@ -153,10 +154,10 @@ TEST_CASE("fault weak_texture: that much less contrast, in about that share of t
         if (std::abs(after - 0.1 * before) < 0.01) ++weak;
       }
     }
-    CAPTURE(fault);
+    CAPTURE(expected.fault);
     CHECK(steep > 10000);
-    CHECK(weak >= low * steep);
-    CHECK(weak <= high * steep);
+    CHECK(weak >= expected.low * steep);
+    CHECK(weak <= expected.high * steep);
   }
 }
 
