@@ -2,6 +2,8 @@
 // Hamming distances, as many cells at a time as a vector has bytes.
 #include "plugins/cost/census/hamming.hpp"
 
+#include <algorithm>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "plugins/cost/census/hamming_kernel.cpp"
 #include <hwy/foreach_target.h>
@@ -29,70 +31,79 @@ HWY_INLINE hn::Vec<D> third(D d, hn::Vec<D> bits) {
   return hn::BitCast(d, hn::Or(even, hn::ShiftLeft<8>(odd)));
 }
 
-/// Cells of one base pixel. The number of planes is known at compile time, or kAny.
-template <int kPlanes, int kChannels>
-class Slice {
- public:
-  static constexpr int kAny = 0;
-
-  Slice(const RowPair& rows, const VolumeShape& shape, int y, int x, std::uint8_t* cells)
-      : rows_(rows),
-        x_(x),
-        first_(RowPair::first(shape, y, x)),
-        room_(shape.room(y, x)),
-        cells_(cells) {}
-
-  /// Writes cells from i on in blocks of D, as many as there is room for. Returns the next cell.
-  template <class D>
-  HWY_INLINE int write(D d, int i) const {
-    constexpr int kLanes = static_cast<int>(hn::MaxLanes(d));
-    for (; i + kLanes <= room_; i += kLanes) hn::StoreU(costs(d, first_ + i), d, cells_ + i);
-    return i;
-  }
-
- private:
-  template <class D>
-  HWY_INLINE hn::Vec<D> costs(D d, int candidate) const {
-    auto bits = hn::Zero(d);
-    const int planes = kPlanes == kAny ? rows_.base.plane_count() : kPlanes;
-    for (int k = 0; k < planes; ++k) {
-      const auto own = hn::Set(d, rows_.base.plane(k)[x_]);
-      const auto other = hn::LoadU(d, rows_.match.plane(k) + candidate);
-      bits = hn::Add(bits, hn::PopulationCount(hn::Xor(own, other)));
-    }
-    if (kChannels == 3) bits = third(d, bits);
-    return hn::Or(bits, hn::LoadU(d, rows_.match.absent() + candidate));
-  }
-
-  const RowPair& rows_;
-  int x_, first_, room_;
-  std::uint8_t* cells_;
+/// All planes of one pixel: a byte of each, `stride` bytes apart.
+struct Planes {
+  const std::uint8_t* bytes;
+  std::size_t stride;
 };
+
+// A number of planes that is not known at compile time, and the largest.
+constexpr int kAny = 0, kMostPlanes = 32;
+
+/// The base pixel's candidates: planes of the first one, and where it says that there is none.
+struct Candidates {
+  Planes planes;
+  const std::uint8_t* absent;
+};
+
+/// Writes `room` cells, at least as many as a vector has lanes; the last two vectors may overlap.
+template <int kPlanes, int kChannels, class D>
+HWY_INLINE void write_slice(D d, int plane_count, const Planes& pixel, const Candidates& candidates,
+                            int room, std::uint8_t* cells) {
+  constexpr int kLanes = static_cast<int>(hn::MaxLanes(d));
+  const int planes = kPlanes == kAny ? plane_count : kPlanes;
+  hn::Vec<D> own[kPlanes == kAny ? kMostPlanes : kPlanes];
+  const std::uint8_t* byte = pixel.bytes;
+  for (int k = 0; k < planes; ++k, byte += pixel.stride) own[k] = hn::Set(d, *byte);
+  for (int end = kLanes;; end = std::min(end + kLanes, room)) {
+    const int i = end - kLanes;
+    auto bits = hn::Zero(d);
+    const std::uint8_t* other = candidates.planes.bytes + i;
+    for (int k = 0; k < planes; ++k, other += candidates.planes.stride)
+      bits = hn::Add(bits, hn::PopulationCount(hn::Xor(own[k], hn::LoadU(d, other))));
+    if (kChannels == 3) bits = third(d, bits);
+    hn::StoreU(hn::Or(bits, hn::LoadU(d, candidates.absent + i)), d, cells + i);
+    if (end == room) return;
+  }
+}
 
 template <int kPlanes, int kChannels>
 void write_row(const RowPair& rows, int y, CostVolume& costs) {
+  const hn::CappedTag<std::uint8_t, 64> widest;
+  const hn::CappedTag<std::uint8_t, 32> middle;
+  const hn::CappedTag<std::uint8_t, 16> granule;
   const VolumeShape& shape = costs.shape();
+  const int planes = rows.base.plane_count();
+  const Planes base{rows.base.plane(0), rows.base.stride()};
+  const Planes match{rows.match.plane(0), rows.match.stride()};
+  const std::uint8_t* const absent = rows.match.absent();
   for (int x = 0; x < shape.width(); ++x) {
-    const Slice<kPlanes, kChannels> slice(rows, shape, y, x, costs.at(y, x));
-    int i = slice.write(hn::CappedTag<std::uint8_t, 64>(), 0);
-    i = slice.write(hn::CappedTag<std::uint8_t, 32>(), i);
-    slice.write(hn::CappedTag<std::uint8_t, 16>(), i);
+    const int room = shape.room(y, x);
+    if (room == 0) continue;
+    const int first = RowPair::first(shape, y, x);
+    const auto write = [&](auto d) HWY_ATTR {
+      write_slice<kPlanes, kChannels>(d, planes, {base.bytes + x, base.stride},
+                                      {{match.bytes + first, match.stride}, absent + first}, room,
+                                      costs.at(y, x));
+    };
+    if (room >= static_cast<int>(hn::MaxLanes(widest))) {
+      write(widest);
+    } else if (room >= static_cast<int>(hn::MaxLanes(middle))) {
+      write(middle);
+    } else {
+      write(granule);
+    }
   }
 }
 
 void hamming_row(const RowPair& rows, int y, CostVolume& costs) {
-  constexpr int kAny = 0;
-  if (rows.channels == 3) return write_row<kAny, 3>(rows, y, costs);
-  switch (rows.base.plane_count()) {
-    case 1:
-      return write_row<1, 1>(rows, y, costs);  // 3x3
-    case 3:
-      return write_row<3, 1>(rows, y, costs);  // 5x5
-    case 6:
-      return write_row<6, 1>(rows, y, costs);  // 7x7
-    default:
-      return write_row<kAny, 1>(rows, y, costs);
+  const int planes = rows.base.plane_count();
+  if (rows.channels == 3) {
+    if (planes == 9) return write_row<9, 3>(rows, y, costs);  // 5x5
+    return write_row<kAny, 3>(rows, y, costs);
   }
+  if (planes == 3) return write_row<3, 1>(rows, y, costs);  // 5x5
+  write_row<kAny, 1>(rows, y, costs);
 }
 
 #endif

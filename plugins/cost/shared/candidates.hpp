@@ -46,6 +46,8 @@ class PixelRow {
   /// Number k of pixel 0; the next pixel's is the next element.
   Number* plane(int k) { return numbers_.data() + offset(k); }
   const Number* plane(int k) const { return numbers_.data() + offset(k); }
+  /// From a plane to the next one.
+  std::size_t stride() const { return stride_; }
   /// 255 outside the image and where it is masked, else 0; from pixel 0 on.
   const std::uint8_t* absent() const { return absent_.data() + before_; }
 
