@@ -71,8 +71,9 @@ class PassWalk {
   Line begin_line(int v);
 
   /// Pixels of a line are opened one after the other. If the pixel has no room, that is all there
-  /// is to do about it.
-  WalkedPixel<Cell> open(Line& line, int u);
+  /// is to do about it. Inlined, so that what is found never is in memory: there it would be written
+  /// in pieces and read back at once, for which processors have to wait.
+  [[gnu::always_inline]] WalkedPixel<Cell> open(Line& line, int u);
 
   /// Term i of a path. Of two terms, one that does not count is replaced by the other one, whose
   /// mean with itself it is. A single one, or both, may be looked at: they bring nothing.
@@ -126,7 +127,7 @@ class PassWalk {
 };
 
 template <class Cell>
-WalkedPixel<Cell> PassWalk<Cell>::open(Line& line, int u) {
+inline WalkedPixel<Cell> PassWalk<Cell>::open(Line& line, int u) {
   const cv::Point later = pixel_ahead(line, u, kSlicesFetchedAhead);
   __builtin_prefetch(&shape_.slice(later.y, later.x));
   const cv::Point at = frame_.pixel(u, line.v);
