@@ -71,8 +71,8 @@ class PassWalk {
   Line begin_line(int v);
 
   /// Pixels of a line are opened one after the other. If the pixel has no room, that is all there
-  /// is to do about it. Inlined, so that what is found never is in memory: there it would be written
-  /// in pieces and read back at once, for which processors have to wait.
+  /// is to do about it. Inlined, so that what is found never is in memory: there it would be
+  /// written in pieces and read back at once, for which processors have to wait.
   [[gnu::always_inline]] WalkedPixel<Cell> open(Line& line, int u);
 
   /// Term i of a path. Of two terms, one that does not count is replaced by the other one, whose
