@@ -102,8 +102,16 @@ void hamming_row(const RowPair& rows, int y, CostVolume& costs) {
     if (planes == 9) return write_row<9, 3>(rows, y, costs);  // 5x5
     return write_row<kAny, 3>(rows, y, costs);
   }
-  if (planes == 3) return write_row<3, 1>(rows, y, costs);  // 5x5
-  write_row<kAny, 1>(rows, y, costs);
+  switch (planes) {
+    case 1:
+      return write_row<1, 1>(rows, y, costs);  // 3x3
+    case 3:
+      return write_row<3, 1>(rows, y, costs);  // 5x5
+    case 6:
+      return write_row<6, 1>(rows, y, costs);  // 7x7
+    default:
+      return write_row<kAny, 1>(rows, y, costs);
+  }
 }
 
 #endif
