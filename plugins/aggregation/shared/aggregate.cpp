@@ -8,6 +8,18 @@
 namespace xgm::aggregation {
 namespace {
 
+/// Sums of which the caches keep nothing until the next pass comes to them need not be read to be
+/// begun, if they are written in whole cache lines.
+bool begin_past_caches(const AggregatedVolume& sums) {
+  constexpr std::size_t kLargerThanCaches = std::size_t{128} << 20;
+  const VolumeShape& shape = sums.shape();
+  const int room = VolumeShape::rounded_up(shape.max_count());
+  const bool dense = shape.cells() == std::int64_t{shape.width()} * shape.height() * room;
+  const bool whole_lines =
+      static_cast<std::size_t>(room) * sizeof(std::uint16_t) % kCellAlignment == 0;
+  return dense && whole_lines && sums.bytes() >= kLargerThanCaches;
+}
+
 template <class Cell>
 void run_passes(const CostVolume& costs, const PenaltyField& penalties,
                 const std::vector<Pass>& passes, const Bounds& bounds, AggregatedVolume& sums,
@@ -17,6 +29,7 @@ void run_passes(const CostVolume& costs, const PenaltyField& penalties,
   for (std::size_t i = 0; i < passes.size(); ++i) {
     PassStep step;
     step.first = i == 0;
+    step.past_caches = step.first && begin_past_caches(sums);
     step.bits = sums.fraction_bits;
     step.cost_weight = bounds.cost_weight;
     step.p2 = bounds.p2 << step.bits;

@@ -54,6 +54,7 @@ class PassFrame {
 
   int length() const { return length_; }  ///< pixels of a line
   int lines() const { return lines_; }
+  Direction along() const { return along_; }
   bool lines_are_rows() const { return along_.dx != 0; }
   cv::Point pixel(int u, int v) const {
     return {origin_.x + u * along_.dx + v * across_.dx, origin_.y + u * along_.dy + v * across_.dy};

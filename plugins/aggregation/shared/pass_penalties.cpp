@@ -38,8 +38,8 @@ void PixelClasses::add(int step, int slot, int first, std::span<const std::uint8
 }
 
 template <class Cell>
-std::vector<PenaltyTable> PassPenalties<Cell>::tables(const PenaltyField& field,
-                                                      const std::vector<Direction>& steps) {
+std::vector<PenaltyTable> PassPenalties<Cell>::tables_of(const PenaltyField& field,
+                                                         const std::vector<Direction>& steps) {
   std::vector<PenaltyTable> tables;
   for (const Direction step : steps) tables.push_back(field.table(step));
   return tables;
@@ -48,7 +48,7 @@ std::vector<PenaltyTable> PassPenalties<Cell>::tables(const PenaltyField& field,
 template <class Cell>
 PassPenalties<Cell>::PassPenalties(const PenaltyField& field, std::vector<Direction> steps,
                                    int rows, int width, Interval hull, int unit)
-    : PassPenalties(field, steps, tables(field, steps), rows, width, hull, unit) {}
+    : PassPenalties(field, steps, tables_of(field, steps), rows, width, hull, unit) {}
 
 template <class Cell>
 PassPenalties<Cell>::PassPenalties(const PenaltyField& field, std::vector<Direction> steps,
@@ -68,8 +68,8 @@ PassPenalties<Cell>::PassPenalties(const PenaltyField& field, std::vector<Direct
       for (int match = 0; match < match_.count(); ++match) {
         const PenaltyPair& pair = table.at(std::min(base, table.base_classes - 1),
                                            std::min(match, table.match_classes - 1));
-        p1_.push_back(static_cast<Cell>(pair.p1 * unit));
-        p2_.push_back(static_cast<Cell>(pair.p2 * unit));
+        penalties_.push_back(
+            {static_cast<Cell>(pair.p1 * unit), static_cast<Cell>(pair.p2 * unit)});
       }
     }
   }
@@ -85,6 +85,7 @@ void PassPenalties<Cell>::load(int slot, int y) {
   for (int step = 0; step < static_cast<int>(steps_.size()); ++step) {
     field_.classify(steps_[static_cast<std::size_t>(step)], y, base, match);
     base_.add(step, slot, 0, base);
+    if (match_.count() == 1) continue;
     // Match pixel x - d is element width - 1 - x + d - hull.begin.
     std::ranges::reverse(match);
     match_.add(step, slot, -hull_.begin, match);

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "plugins/aggregation/shared/pixel_step.hpp"
 #include "xgm/data/disparity_range.hpp"
 #include "xgm/stage/penalty.hpp"
 
@@ -25,6 +26,9 @@ class PixelClasses {
   int count() const { return classes_; }
   bool packed() const { return packed_; }
   int plane_stride() const { return stride_; }
+  std::ptrdiff_t row_stride() const {
+    return bytes_.empty() ? 0 : static_cast<std::ptrdiff_t>(bytes_.step1());
+  }
   /// All classes of the slot become 0, for add() to begin with.
   void clear(int slot);
   /// The classes that a step gives to pixels first, first + 1...; those that do not exist are left.
@@ -57,18 +61,18 @@ class PassPenalties {
   const PixelClasses& base() const { return base_; }
   /// The match pixels from right to left, so that those of ascending disparities lie side by side.
   const PixelClasses& match() const { return match_; }
-  /// Classes of the match pixels of disparities begin, begin + 1, ... at pixel x. Where the match
-  /// pixel lies outside the image nothing can be matched, and any class will do.
-  const std::uint8_t* match_at(int slot, int x, int begin) const {
-    return match_.at(slot, width_ - 1 - x + begin - hull_.begin);
+  /// Class of the match pixel of disparity 0 at pixel x; those of the next disparities follow,
+  /// those of the next pixels lie before it. Where the match pixel lies outside the image nothing
+  /// can be matched, and any class will do.
+  const std::uint8_t* match_at(int slot, int x) const {
+    return match_.at(slot, 0) + (width_ - 1 - x - hull_.begin);
   }
   /// Tables of all steps: base classes x match classes each.
-  const Cell* p1() const { return p1_.data(); }
-  const Cell* p2() const { return p2_.data(); }
+  const StepPenalties<Cell>* tables() const { return penalties_.data(); }
 
  private:
-  static std::vector<PenaltyTable> tables(const PenaltyField& field,
-                                          const std::vector<Direction>& steps);
+  static std::vector<PenaltyTable> tables_of(const PenaltyField& field,
+                                             const std::vector<Direction>& steps);
   PassPenalties(const PenaltyField& field, std::vector<Direction> steps,
                 const std::vector<PenaltyTable>& tables, int rows, int width, Interval hull,
                 int unit);
@@ -78,7 +82,7 @@ class PassPenalties {
   int width_;
   Interval hull_;
   PixelClasses base_, match_;
-  std::vector<Cell> p1_, p2_;  // steps x base classes x match classes
+  std::vector<StepPenalties<Cell>> penalties_;  // steps x base classes x match classes
 };
 
 extern template class PassPenalties<std::uint8_t>;

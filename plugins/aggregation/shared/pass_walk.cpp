@@ -81,46 +81,73 @@ void PassWalk<Cell>::load_penalties(int v) {
 template <class Cell>
 auto PassWalk<Cell>::begin_line(int v) -> Line {
   Line line;
-  const int slot = lines_.slot(v);
-  line.v = v;
-  line.penalty_slot = frame_.lines_are_rows() ? slot : -1;
+  const cv::Point start = frame_.pixel(0, v);
+  const Direction along = frame_.along();
+  line.start = start;
+  line.pixels = lines_.line(v);
+  line.cells = lines_.cells(v);
+  line.slices = {&shape_.slice(start.y, start.x),
+                 along.dx + std::ptrdiff_t{along.dy} * shape_.width()};
+  const int slot = lines_.slot(v), row = frame_.lines_are_rows() ? slot : start.y;
+  const PixelClasses &base = penalties_.base(), &match = penalties_.match();
+  if (base.count() > 1)
+    line.base_classes = {base.at(row, start.x), along.dx + along.dy * base.row_stride()};
+  if (match.count() > 1)
+    line.match_classes = {penalties_.match_at(row, start.x),
+                          along.dy * match.row_stride() - along.dx};
   line.scratch = scratch_[static_cast<std::size_t>(slot)].data();
   for (std::size_t t = 0; t < steps_.size(); ++t) {
     line.back[t] = lines_.line(v - steps_[t].across) - steps_[t].along;
     line.back_costs[t] = lines_.costs(v - steps_[t].across, static_cast<int>(t) / step_.terms);
   }
   for (int path = 0; path < step_.paths; ++path) line.costs[path] = lines_.costs(v, path);
-  find_penalties(line, frame_.lines_are_rows() ? cv::Point{0, slot} : cv::Point{v, 0});
+  find_penalties(line, line.base_classes.first);
   return line;
 }
 
-/// `at` is in rows of penalties.
 template <class Cell>
-void PassWalk<Cell>::find_penalties(Line& line, cv::Point at) const {
+void PassWalk<Cell>::find_penalties(Line& line, const std::uint8_t* classes) const {
   const PixelClasses& base = penalties_.base();
   const int steps = static_cast<int>(steps_.size());
-  const std::uint8_t* const classes = base.count() == 1 ? nullptr : base.at(at.y, at.x);
-  line.base_classes = base.packed() ? *classes : -1;
-  const Cell *p1 = penalties_.p1(), *p2 = penalties_.p2();
+  line.known_classes = base.packed() ? *classes : -1;
+  const StepPenalties<Cell>* penalties = penalties_.tables();
   const int row = penalties_.match().count(), table = base.count() * row;
-  for (int t = 0; t < steps; ++t, p1 += table, p2 += table) {
+  for (int t = 0; t < steps; ++t, penalties += table) {
     const int offset = classes == nullptr ? 0 : base.get(t, classes) * row;
-    line.p1[t] = p1 + offset;
-    line.p2[t] = p2 + offset;
+    line.penalties[t] = penalties + offset;
   }
 }
 
 template <class Cell>
-const Cell* PassWalk<Cell>::joined(const WalkedPixel<Cell>& pixel, const Pixel& previous,
-                                   const Cell* costs, Cell* scratch) {
+void PassWalk<Cell>::find_terms(const Line& line, int u, int begin, int room, int first_path,
+                                int paths, Term<Cell>* terms) const {
+  const int first_step = first_path * step_.terms;
+  for (int t = 0; t < paths * step_.terms; ++t) {
+    int step = first_step + t;
+    if (step_.terms == 2 && !line.back[step][u].counts()) {
+      const int other = step ^ 1;
+      if (line.back[other][u].counts()) step = other;
+    }
+    const Pixel& previous = line.back[step][u];
+    const Cell* const costs = line.back_costs[step];
+    const Cell* const cells = holds(previous, begin, room)
+                                  ? costs + previous.zero + begin
+                                  : joined(begin, room, previous, costs,
+                                           line.scratch + std::ptrdiff_t{scratch_stride_} * step);
+    terms[t] = {cells, previous.least + (first_path + t / step_.terms), step, line.penalties[step]};
+  }
+}
+
+template <class Cell>
+const Cell* PassWalk<Cell>::joined(int begin, int room, const Pixel& previous, const Cell* costs,
+                                   Cell* scratch) {
   Cell* const first = scratch + kGranule;
-  std::fill(first - kGranule, first + pixel.room + kGranule, kInfinite<Cell>);
+  std::fill(first - kGranule, first + room + kGranule, kInfinite<Cell>);
   if (!previous.counts()) return first;
   // Whole granules: behind the last one there are infinite costs, too.
-  const int begin = previous.from + kGranule, end = previous.to + 1 - kGranule;
-  for (int d = std::max(begin, pixel.begin - 1); d < std::min(end, pixel.begin + pixel.room + 1);
-       d += kGranule)
-    std::copy_n(costs + (previous.zero + d), kGranule, first + (d - pixel.begin));
+  const int from = previous.from + kGranule, to = previous.to + 1 - kGranule;
+  for (int d = std::max(from, begin - 1); d < std::min(to, begin + room + 1); d += kGranule)
+    std::copy_n(costs + (previous.zero + d), kGranule, first + (d - begin));
   return first;
 }
 

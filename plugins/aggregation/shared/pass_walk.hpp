@@ -3,7 +3,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "plugins/aggregation/shared/pass.hpp"
@@ -21,17 +23,30 @@ inline constexpr int kBand = 4;
 /// What path costs a pass keeps when so many threads walk.
 LinesKept lines_kept(const Pass& pass, int lines, int threads);
 
+/// What the pixels of a line have, `step` elements apart.
+template <class T>
+struct Strided {
+  const T* first = nullptr;
+  std::ptrdiff_t step = 0;
+
+  const T* at(int u) const { return first + u * step; }
+};
+
 /// A line that is being walked along.
 template <class Cell>
 struct WalkedLine {
-  int v;
+  cv::Point start;  ///< pixel 0 in the image
+  typename PathLines<Cell>::Pixel* pixels;
+  int cells;  ///< of each path
+  Strided<VolumeShape::Slice> slices;
+  Strided<std::uint8_t> base_classes;   ///< if there are several
+  Strided<std::uint8_t> match_classes;  ///< if there are several: those of disparity 0
   const typename PathLines<Cell>::Pixel* back[kMostSteps];  ///< back[t][u]: p - x of step t
   const Cell* back_costs[kMostSteps];                       ///< of its line and path
   Cell* costs[kMostPaths];                                  ///< of this line
-  const Cell *p1[kMostSteps], *p2[kMostSteps];              ///< of each step, by match class
-  int base_classes;  ///< those that p1 and p2 belong to, if packed; else -1
-  int penalty_slot;  ///< -1: that of the image row
-  Cell* scratch;     ///< a slice per step, should it have to be joined
+  const StepPenalties<Cell>* penalties[kMostSteps];         ///< of each step, by match class
+  int known_classes;  ///< base classes that these belong to, if packed; else -1
+  Cell* scratch;      ///< a slice per step, should it have to be joined
 };
 
 /// One pixel of a line. Its slices have `room` cells, a multiple of VolumeShape::kGranule, and all
@@ -73,25 +88,22 @@ class PassWalk {
   /// Pixels of a line are opened one after the other. If the pixel has no room, that is all there
   /// is to do about it. Inlined, so that what is found never is in memory: there it would be
   /// written in pieces and read back at once, for which processors have to wait.
-  [[gnu::always_inline]] WalkedPixel<Cell> open(Line& line, int u);
+  [[gnu::always_inline]] WalkedPixel<Cell> open(Line& line, int u) const;
 
-  /// Term i of a path. Of two terms, one that does not count is replaced by the other one, whose
-  /// mean with itself it is. A single one, or both, may be looked at: they bring nothing.
-  Term<Cell> term(const Line& line, const WalkedPixel<Cell>& pixel, int path, int i,
-                  int terms) const {
-    int step = path * terms + i;
-    if (terms == 2 && !line.back[step][pixel.u].counts()) {
-      const int other = step + 1 - 2 * i;
-      if (line.back[other][pixel.u].counts()) step = other;
-    }
-    const Pixel& previous = line.back[step][pixel.u];
-    const bool holds_all =
-        pixel.begin - 1 >= previous.from && pixel.begin + pixel.room <= previous.to;
-    const Cell* const cells = holds_all
-                                  ? line.back_costs[step] + (previous.zero + pixel.begin)
-                                  : joined(pixel, previous, line.back_costs[step],
-                                           line.scratch + std::ptrdiff_t{scratch_stride_} * step);
-    return {cells, previous.least[path], step, line.p1[step], line.p2[step]};
+  /// The terms of `paths` paths from first_path on, one path's after the other, at pixel u with
+  /// `room` cells from disparity `begin` on. Of two terms, one that does not count is replaced by
+  /// the other one, whose mean with itself it is. A single one, or both, may be looked at: they
+  /// bring nothing. Takes numbers, not the pixel, which then need not be in memory.
+  void find_terms(const Line& line, int u, int begin, int room, int first_path, int paths,
+                  Term<Cell>* terms) const;
+
+  /// The same for a number that is known, of a pixel of which usually all terms count and are in
+  /// one piece. One branch for all of them: guessing each wrong costs as much as guessing all.
+  template <int kPaths, int kTerms>
+  [[gnu::always_inline]] auto terms(const Line& line, const WalkedPixel<Cell>& pixel,
+                                    int first_path) const {
+    return terms<kTerms>(line, pixel, first_path,
+                         std::make_integer_sequence<int, kPaths * kTerms>());
   }
 
  private:
@@ -103,15 +115,46 @@ class PassWalk {
     int along, across;  // p - x is pixel u - along of line v - across
   };
 
-  cv::Point pixel_ahead(const Line& line, int u, int pixels) const {
-    return frame_.pixel(std::min(u + pixels, frame_.length() - 1), line.v);
+  std::int64_t offset_of(const Line& line, int u, const VolumeShape::Slice& slice) const {
+    return shape_.offset(line.start.y + u * frame_.along().dy, slice);
   }
-  void find_penalties(Line& line, cv::Point at) const;
+  /// For the base classes at this place.
+  void find_penalties(Line& line, const std::uint8_t* classes) const;
 
-  /// L(previous, .) from the first disparity of `pixel` on, where it does not hold all that the
-  /// pixel looks at: copied in between more infinite costs.
-  static const Cell* joined(const WalkedPixel<Cell>& pixel, const Pixel& previous,
-                            const Cell* costs, Cell* scratch);
+  /// Whether path costs of `room` disparities from `begin` on, and one more on either side, are
+  /// in memory.
+  static bool holds(const Pixel& previous, int begin, int room) {
+    return begin - 1 >= previous.from && begin + room <= previous.to;
+  }
+  /// 1 if the term of a step is as usual, else 0: found without a branch.
+  template <int kTerms>
+  static int is_usual(const Line& line, const WalkedPixel<Cell>& pixel, int step) {
+    const Pixel& previous = line.back[step][pixel.u];
+    const int counts = kTerms == 1 || previous.counts();
+    const int begins = pixel.begin - 1 >= previous.from;
+    const int ends = pixel.begin + pixel.room <= previous.to;
+    return counts & begins & ends;
+  }
+  template <int kTerms, int... t>
+  [[gnu::always_inline]] auto terms(const Line& line, const WalkedPixel<Cell>& pixel,
+                                    int first_path, std::integer_sequence<int, t...>) const {
+    const int first = first_path * kTerms;
+    if ((is_usual<kTerms>(line, pixel, first + t) & ...) != 0) [[likely]]
+      return std::array{usual_term(line, pixel, first + t, first_path + t / kTerms)...};
+    Term<Cell> found[sizeof...(t)];
+    constexpr int kPaths = sizeof...(t) / kTerms;
+    find_terms(line, pixel.u, pixel.begin, pixel.room, first_path, kPaths, found);
+    return std::array{found[t]...};
+  }
+  static Term<Cell> usual_term(const Line& line, const WalkedPixel<Cell>& pixel, int step,
+                               int path) {
+    const Pixel& previous = line.back[step][pixel.u];
+    const Cell* const costs = line.back_costs[step] + (previous.zero + pixel.begin);
+    return {costs, previous.least + path, step, line.penalties[step]};
+  }
+  /// L(previous, .) where it does not hold all of these: copied in between more infinite costs.
+  static const Cell* joined(int begin, int room, const Pixel& previous, const Cell* costs,
+                            Cell* scratch);
 
   const CostVolume& costs_;
   const VolumeShape& shape_;
@@ -127,41 +170,40 @@ class PassWalk {
 };
 
 template <class Cell>
-inline WalkedPixel<Cell> PassWalk<Cell>::open(Line& line, int u) {
-  const cv::Point later = pixel_ahead(line, u, kSlicesFetchedAhead);
-  __builtin_prefetch(&shape_.slice(later.y, later.x));
-  const cv::Point at = frame_.pixel(u, line.v);
-  const VolumeShape::Slice& slice = shape_.slice(at.y, at.x);
+inline WalkedPixel<Cell> PassWalk<Cell>::open(Line& line, int u) const {
+  // May lead beyond the image, which prefetching does not mind.
+  __builtin_prefetch(line.slices.at(u + kSlicesFetchedAhead));
+  const VolumeShape::Slice& slice = *line.slices.at(u);
   WalkedPixel<Cell> pixel;
   pixel.u = u;
   pixel.count = slice.count;
   pixel.room = VolumeShape::rounded_up(slice.count);
   pixel.begin = slice.begin;
-  Pixel& kept = lines_.open(u, line.v, slice.begin, pixel.room);
-  pixel.first = kept.zero + slice.begin;
-  pixel.least = kept.least;
+  Pixel& kept = line.pixels[u];
   if (pixel.room == 0) {
-    std::fill_n(pixel.least, step_.paths, kInfinite<Cell>);
+    lines_.skip(kept);
     return pixel;
   }
-  const std::int64_t offset = shape_.offset(at.y, slice);
+  lines_.open(kept, line.cells, slice.begin, pixel.room);
+  pixel.first = kept.zero + slice.begin;
+  pixel.least = kept.least;
+  const std::int64_t offset = offset_of(line, u, slice);
   pixel.cost = costs_.data() + offset;
   pixel.sums = sums_.data() + offset;
-  const cv::Point next = pixel_ahead(line, u, kCellsFetchedAhead);
-  const std::int64_t next_offset = shape_.offset(next.y, next.x);
+  const int next = std::min(u + kCellsFetchedAhead, frame_.length() - 1);
+  const std::int64_t next_offset = offset_of(line, next, *line.slices.at(next));
   pixel.next_cost = costs_.data() + next_offset;
   pixel.next_sums = sums_.data() + next_offset;
-  const PixelClasses& base = penalties_.base();
-  const bool crosses_rows = line.penalty_slot < 0;
-  const int slot = crosses_rows ? at.y : line.penalty_slot;
   pixel.classes = nullptr;
-  if (step_.match_classes > 1) {
-    pixel.classes = penalties_.match_at(slot, at.x, slice.begin);
-    if (crosses_rows) __builtin_prefetch(penalties_.match_at(later.y, later.x, slice.begin));
+  if (line.match_classes.first != nullptr) {
+    pixel.classes = line.match_classes.at(u) + slice.begin;
+    __builtin_prefetch(line.match_classes.at(u + kSlicesFetchedAhead) + slice.begin);
   }
-  if (crosses_rows && base.count() > 1) __builtin_prefetch(base.at(later.y, later.x));
-  if (base.count() > 1 && *base.at(slot, at.x) != line.base_classes)
-    find_penalties(line, {at.x, slot});
+  if (line.base_classes.first != nullptr) {
+    const std::uint8_t* const classes = line.base_classes.at(u);
+    __builtin_prefetch(line.base_classes.at(u + kSlicesFetchedAhead));
+    if (*classes != line.known_classes) find_penalties(line, classes);
+  }
   return pixel;
 }
 

@@ -92,6 +92,7 @@ class PathLines {
       const bool is_whole = i % kept.band_lines >= kept.band_lines - kept.last_lines;
       Line& line = lines_[static_cast<std::size_t>(i)];
       line.pixels.resize(padded);
+      line.pixels[kFarthest - 1].next = layout.margin();
       line.cells = (is_whole ? whole : part) + static_cast<std::size_t>(layout.margin());
       const std::size_t all = line.cells * static_cast<std::size_t>(paths);
       line.memory = new_cells(all * sizeof(Cell));
@@ -112,19 +113,25 @@ class PathLines {
     return static_cast<Cell*>(line.memory.get()) + line.cells * static_cast<std::size_t>(path);
   }
 
-  /// Makes room for pixel u of line v; the one before it must have been opened. Where only a part
-  /// of the line is kept, the pixels opened first are forgotten.
-  Pixel& open(int u, int v, int begin, int room) {
-    Line& line = line_of(v);
-    Pixel& pixel = line.pixels[static_cast<std::size_t>(u + kFarthest)];
+  /// Of each path, in line v.
+  int cells(int v) { return static_cast<int>(line_of(v).cells); }
+
+  /// Makes room for a pixel of a line of so many cells; the one before it must have been opened.
+  /// Where only a part of the line is kept, the pixels opened first are forgotten.
+  void open(Pixel& pixel, int cells, int begin, int room) const {
     const int stride = layout_.stride(room);
     int first = (&pixel)[-1].next;
-    if (u == 0 || first + stride > static_cast<int>(line.cells)) first = layout_.margin();
-    pixel.from = room == 0 ? kNone : begin - VolumeShape::kGranule;
-    pixel.to = room == 0 ? -kNone : begin + room + VolumeShape::kGranule - 1;
+    if (first + stride > cells) first = layout_.margin();
+    pixel.from = begin - VolumeShape::kGranule;
+    pixel.to = begin + room + VolumeShape::kGranule - 1;
     pixel.zero = first - begin;
     pixel.next = first + stride;
-    return pixel;
+  }
+
+  /// A pixel of no cells.
+  void skip(Pixel& pixel) const {
+    pixel = {};
+    pixel.next = (&pixel)[-1].next;
   }
 
  private:

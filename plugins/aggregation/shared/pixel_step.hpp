@@ -16,15 +16,20 @@ inline constexpr int kMostTerms = 2;  ///< of a path
 inline constexpr int kMostSteps = kMostPaths * kMostTerms;
 inline constexpr int kFarthest = 2;  ///< pixels and lines that a step leads back: knight's moves
 
+/// In units of path costs.
+template <class Cell>
+struct StepPenalties {
+  Cell p1, p2;
+};
+
 /// What a path brings to p from q = p - x:
 ///   min(L(q, d), L(q, d+-1) + P1, min_i L(q, i) + P2) - min_i L(q, i).
 template <class Cell>
 struct Term {
   const Cell* previous;  ///< L(q, d) for p's disparities, and one more on either side
-  Cell least;            ///< min_i L(q, i)
+  const Cell* least;     ///< min_i L(q, i)
   int step;              ///< which one of the pass it is
-  const Cell* p1;        ///< by match class
-  const Cell* p2;
+  const StepPenalties<Cell>* penalties;  ///< by match class
 };
 
 /// What is the same for all pixels of a pass.
@@ -34,9 +39,10 @@ struct PassStep {
   int match_classes = 1;  ///< the most that a table of penalties has
   int class_plane = 0;    ///< from one step's classes to the next one's; 0: step t's are in bit t
   bool first = false;     ///< whether the sums are begun, with cost_weight * C, or added to
-  int bits = 0;           ///< fraction bits of path costs and sums
-  int cost_weight = 1;    ///< how often C is in the sums beside what paths bring
-  int p2 = 0;             ///< the largest, in units of path costs
+  bool past_caches = false;  ///< whether sums that are begun are written past the caches
+  int bits = 0;              ///< fraction bits of path costs and sums
+  int cost_weight = 1;       ///< how often C is in the sums beside what paths bring
+  int p2 = 0;                ///< the largest, in units of path costs
 };
 
 /// Whether the next pixel can add P2 to the least path cost. Nearly always so: its own C is all

@@ -30,6 +30,8 @@ void advance(PassWalk<Cell>& walk, Band<Cell>& band, int first, int last) {
       if (pixel.room > 0) Extend::extend(walk, line, pixel);
     }
   }
+  // Before others hear of it.
+  if (walk.step().past_caches) hwy::FlushStream();
 }
 
 struct Plainly {
@@ -118,11 +120,11 @@ class TermInRegisters {
 
   HWY_INLINE explicit TermInRegisters(const Term<Cell>& term)
       : previous_(term.previous),
-        least_(hn::Set(D(), term.least)),
+        least_(hn::Set(D(), *term.least)),
         bit_(hn::Set(D(), static_cast<Cell>(1 << term.step))) {
     for (int i = 0; i < kTable; ++i) {
-      p1_[i] = hn::Set(D(), term.p1[i]);
-      far_[i] = hn::SaturatedAdd(least_, hn::Set(D(), term.p2[i]));
+      p1_[i] = hn::Set(D(), term.penalties[i].p1);
+      far_[i] = hn::SaturatedAdd(least_, hn::Set(D(), term.penalties[i].p2));
     }
   }
 
@@ -181,28 +183,34 @@ struct Sums {
     }
   }
   /// With the cost itself, kNoMatch where it is infinite.
-  HWY_INLINE void begin(D d, hn::VFromD<D> cost, std::uint16_t weight, std::uint16_t* sums) const {
+  HWY_INLINE void begin(D d, hn::VFromD<D> cost, std::uint16_t weight, bool past_caches,
+                        std::uint16_t* sums) const {
     const Wide wide;
     if constexpr (sizeof(hn::TFromD<D>) == 1) {
       const hn::Half<D> half;
       begin_wide(hn::PromoteTo(wide, hn::LowerHalf(half, cost)), low, CostVolume::kNoMatch, weight,
-                 sums);
+                 past_caches, sums);
       begin_wide(hn::PromoteTo(wide, hn::UpperHalf(half, cost)), high, CostVolume::kNoMatch, weight,
-                 sums + hn::MaxLanes(wide));
+                 past_caches, sums + hn::MaxLanes(wide));
     } else {
-      begin_wide(cost, low, kInfinite<std::uint16_t>, weight, sums);
+      begin_wide(cost, low, kInfinite<std::uint16_t>, weight, past_caches, sums);
     }
     (void)d;
   }
 
  private:
   static HWY_INLINE void begin_wide(hn::VFromD<Wide> cost, hn::VFromD<Wide> brought,
-                                    std::uint16_t infinite, std::uint16_t weight,
+                                    std::uint16_t infinite, std::uint16_t weight, bool past_caches,
                                     std::uint16_t* sums) {
     const Wide wide;
     const auto none = hn::Eq(cost, hn::Set(wide, infinite));
     const auto sum = hn::Add(hn::Mul(cost, hn::Set(wide, weight)), brought);
-    hn::StoreU(hn::IfThenElse(none, hn::Set(wide, AggregatedVolume::kNoMatch), sum), wide, sums);
+    const auto begun = hn::IfThenElse(none, hn::Set(wide, AggregatedVolume::kNoMatch), sum);
+    if (past_caches) {
+      hn::Stream(begun, wide, sums);
+    } else {
+      hn::StoreU(begun, wide, sums);
+    }
   }
 };
 
@@ -248,11 +256,11 @@ class PathInRegisters {
  public:
   using Cell = hn::TFromD<D>;
 
-  HWY_INLINE PathInRegisters(const PassWalk<Cell>& walk, const WalkedLine<Cell>& line,
-                             const WalkedPixel<Cell>& pixel, int path)
-      : one_(walk.term(line, pixel, path, 0, kTerms)),
-        other_(walk.term(line, pixel, path, kTerms - 1, kTerms)),
-        costs_(line.costs[path] + pixel.first),
+  /// `term` is the first one of those that the path has.
+  HWY_INLINE PathInRegisters(const Term<Cell>* term, Cell* costs)
+      : one_(term[0]),
+        other_(term[kTerms - 1]),
+        costs_(costs),
         least_(hn::Set(D(), kInfinite<Cell>)) {}
 
   /// Writes a block of path costs. Returns what the path brings.
@@ -287,11 +295,15 @@ class Group {
         pixel_(pixel),
         first_path_(first_path),
         begins_sums_(pass.first && first_path == 0),
+        // What other paths are still added to had better stay.
+        past_caches_(pass.past_caches && pass.paths == kPaths),
         pairs_fit_(sizeof(Cell) == 1 && 2 * pass.p2 <= kInfinite<Cell>) {}
 
   HWY_INLINE void run(const PassWalk<Cell>& walk, const WalkedLine<Cell>& line) {
+    const auto terms = walk.template terms<kPaths, kTerms>(line, pixel_, first_path_);
     const auto path = [&](int k) HWY_ATTR {
-      return PathInRegisters<D, kTerms, kClasses>(walk, line, pixel_, first_path_ + k);
+      return PathInRegisters<D, kTerms, kClasses>(terms.data() + k * kTerms,
+                                                  line.costs[first_path_ + k] + pixel_.first);
     };
     if constexpr (kPaths == 1) {
       run_paths(path(0));
@@ -347,7 +359,8 @@ class Group {
       }
     }
     if (begins_sums_) {
-      sums.begin(d, cost, static_cast<std::uint16_t>(pass_.cost_weight), pixel_.sums + i);
+      sums.begin(d, cost, static_cast<std::uint16_t>(pass_.cost_weight), past_caches_,
+                 pixel_.sums + i);
     } else {
       sums.add_to(pixel_.sums + i);
     }
@@ -357,6 +370,7 @@ class Group {
   HWY_INLINE void prefetch(Block, int i) const {
     constexpr std::size_t kCellsOfCacheLine = 64 / sizeof(std::uint16_t);
     hwy::Prefetch(pixel_.next_cost + i);
+    if (past_caches_) return;
     for (std::size_t cell = 0; cell < hn::MaxLanes(Block()); cell += kCellsOfCacheLine)
       hwy::Prefetch(pixel_.next_sums + i + cell);
   }
@@ -365,7 +379,7 @@ class Group {
   const PassStep pass_;
   const WalkedPixel<Cell> pixel_;
   int first_path_;
-  bool begins_sums_, pairs_fit_;
+  bool begins_sums_, past_caches_, pairs_fit_;
 };
 
 /// All paths of a pixel in groups. Short slices in short vectors, whose minima are found sooner.
@@ -393,7 +407,10 @@ struct InVectors {
 
 template <class Cell, int kTerms, bool kClasses>
 Advance<Cell> choose_group(int paths) {
-  if (paths % 4 == 0) return advance<InVectors<Cell, 4, kTerms, kClasses>, Cell>;
+  // Four paths of two terms do not fit the registers.
+  if constexpr (kTerms == 1) {
+    if (paths % 4 == 0) return advance<InVectors<Cell, 4, kTerms, kClasses>, Cell>;
+  }
   if (paths % 2 == 0) return advance<InVectors<Cell, 2, kTerms, kClasses>, Cell>;
   return advance<InVectors<Cell, 1, kTerms, kClasses>, Cell>;
 }

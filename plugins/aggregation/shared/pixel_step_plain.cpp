@@ -18,10 +18,11 @@ template <class Cell>
 int brought_by(const PassStep& pass, const WalkedPixel<Cell>& pixel, const Term<Cell>& term,
                int i) {
   const int match_class = match_class_of(pass, pixel, term.step, i);
+  const StepPenalties<Cell>& penalties = term.penalties[match_class];
   const int same = term.previous[i];
   const int beside = std::min(term.previous[i - 1], term.previous[i + 1]);
-  const int far = term.least + term.p2[match_class];
-  return std::min({same, beside + term.p1[match_class], far}) - term.least;
+  const int far = *term.least + penalties.p2;
+  return std::min({same, beside + penalties.p1, far}) - *term.least;
 }
 
 /// Of a path.
@@ -49,10 +50,8 @@ template <class Cell>
 void extend_plain(const PassWalk<Cell>& walk, const WalkedLine<Cell>& line,
                   const WalkedPixel<Cell>& pixel) {
   const PassStep& pass = walk.step();
-  Term<Cell> terms[kMostPaths][kMostTerms];
-  for (int k = 0; k < pass.paths; ++k) {
-    for (int i = 0; i < pass.terms; ++i) terms[k][i] = walk.term(line, pixel, k, i, pass.terms);
-  }
+  Term<Cell> terms[kMostSteps];
+  walk.find_terms(line, pixel.u, pixel.begin, pixel.room, 0, pass.paths, terms);
   const auto costs = [&](int path) { return line.costs[path] + pixel.first; };
   Cell* const least = pixel.least;
   std::fill_n(least, pass.paths, kInfinite<Cell>);
@@ -60,7 +59,7 @@ void extend_plain(const PassWalk<Cell>& walk, const WalkedLine<Cell>& line,
     const bool matchable = i < pixel.count && pixel.cost[i] != CostVolume::kNoMatch;
     int sum = 0;
     for (int k = 0; k < pass.paths; ++k) {
-      const int brought = brought_by(pass, pixel, terms[k], i);
+      const int brought = brought_by(pass, pixel, terms + k * pass.terms, i);
       const int cost = matchable ? (pixel.cost[i] << pass.bits) + brought : kInfinite<Cell>;
       costs(k)[i] = static_cast<Cell>(cost);
       least[k] = std::min(least[k], static_cast<Cell>(cost));

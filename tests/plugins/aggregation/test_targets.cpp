@@ -59,3 +59,16 @@ TEST_CASE("every SIMD target gives the same sums on ragged volumes") {
     check_targets(random_costs(shape, 24, 5), RandomPenalties(2, 4, 90, 5));
   }
 }
+
+TEST_CASE("every SIMD target gives the same sums on a volume larger than the caches") {
+  // Dense, in whole cache lines, of more than 128 MB: sums are begun in another way.
+  const auto shape = dense_shape({1000, 270}, {0, 256});
+  const CostVolume costs = random_costs(shape, 24, 9);
+  const ConstantPenalties penalties(10, 90);
+  const auto passes = sgm::passes(4);
+  const auto expected = aggregate("scalar", costs, penalties, passes, PathCostWidth::bits8);
+  for (const std::string& target : simd_targets()) {
+    CAPTURE(target);
+    CHECK(identical(aggregate(target, costs, penalties, passes, PathCostWidth::bits8), expected));
+  }
+}
