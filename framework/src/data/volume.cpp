@@ -19,11 +19,12 @@ VolumeShape::VolumeShape(const DisparityRange& range, const cv::Mat1b& valid)
   std::vector<Interval> hulls(rows);
   std::vector<int> max_counts(rows);
   parallel_for(0, height(), [&](int y) {
+    const std::uint8_t* const valid_row = valid.empty() ? nullptr : valid[y];
     Interval hull;
     int max_count = 0;
     std::uint32_t granules = 0;
     for (int x = 0; x < width(); ++x) {
-      const bool used = valid.empty() || valid(y, x) != 0;
+      const bool used = valid_row == nullptr || valid_row[x] != 0;
       const Interval interval = used ? range.at(y, x) : Interval{};
       slices[static_cast<std::size_t>(y) * static_cast<std::size_t>(width()) +
              static_cast<std::size_t>(x)] = {interval.begin, interval.size(), granules};

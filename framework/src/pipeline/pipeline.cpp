@@ -96,7 +96,6 @@ void check_request(const MatchRequest& request) {
 /// What volumes leave for each other is gone before the maps are worked on.
 MatchResult match(const Context& context, const Slot<Matcher>& matcher,
                   const MatchRequest& request) {
-  trim_heap();  // where key points leave hundreds of MB behind
   const CellReuse reuse;
   return matcher(context, request);
 }
@@ -116,6 +115,7 @@ MatchResult Pipeline::run(const MatchRequest& request, Observer& observer, int t
   for (const auto& stage : p.preprocess) {
     prepared.pair = stage(context.part(0, 0.03), prepared.pair);
   }
+  if (!p.preprocess.empty()) trim_heap();  // where key points leave hundreds of MB behind
   MatchResult result = match(context.part(0.03, 0.95), p.matcher, prepared);
   for (const auto& stage : p.postprocess) {
     const Context rest = context.part(0.95, 1);

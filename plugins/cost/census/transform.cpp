@@ -13,57 +13,59 @@ namespace {
 // Brighter than any centre: what does not exist sets no bit.
 constexpr float kNothing = std::numeric_limits<float>::infinity();
 
-/// The rows around row y of one channel, kNothing where there is no pixel.
-class Neighbourhood {
+/// The levels of one channel around some pixels of a row.
+class Surroundings {
  public:
-  Neighbourhood(const Image& image, int y, cv::Size window, bool mirrored)
-      : image_(image),
-        y_(y),
-        radius_(window.width / 2, window.height / 2),
-        mirrored_(mirrored),
-        stride_(static_cast<std::size_t>(image.size().width + window.width)),
-        levels_(stride_ * static_cast<std::size_t>(window.height + 1), kNothing) {}
+  Surroundings(cv::Size window, int width)
+      : radius_(window.width / 2, window.height / 2),
+        nothing_(static_cast<std::size_t>(width + 2 * radius_.x), kNothing) {}
 
-  void load(const cv::Mat1f& plane) {
-    const int first = std::max(0, y_ - radius_.y);
-    const int last = std::min(plane.rows - 1, y_ + radius_.y);
-    for (int row = first; row <= last; ++row) load_row(plane[row], row);
+  /// Looks at them where they are: no neighbour must lie beyond an end of the row.
+  void view(const cv::Mat1f& plane, int y, cv::Range pixels) {
+    lines_.assign(static_cast<std::size_t>(2 * radius_.y + 1), nothing());
+    for (int row = first_row(y); row <= last_row(plane, y); ++row)
+      line(row - y) = plane[row] + pixels.start;
   }
 
-  /// Grey level of the neighbour that pixel 0 has at this offset in the image.
-  const float* at(int dx, int dy) const { return pixel(dy + radius_.y) + (mirrored_ ? -dx : dx); }
-  /// A neighbour that does not exist.
-  const float* nothing() const { return pixel(2 * radius_.y + 1); }
+  /// Copies them, so that there is something where nothing exists, too.
+  void copy(const cv::Mat1f& plane, const cv::Mat1b& valid, int y, cv::Range pixels) {
+    lines_.assign(static_cast<std::size_t>(2 * radius_.y + 1), nothing());
+    const auto stride = static_cast<std::size_t>(pixels.size() + 2 * radius_.x);
+    copies_.assign(stride * lines_.size(), kNothing);
+    const int first = std::max(0, pixels.start - radius_.x);
+    const int last = std::min(plane.cols, pixels.end + radius_.x);
+    for (int row = first_row(y); row <= last_row(plane, y); ++row) {
+      const auto index = static_cast<std::size_t>(row - y + radius_.y);
+      float* const levels = copies_.data() + stride * index + radius_.x;
+      const float* const source = plane[row];
+      const std::uint8_t* const usable = valid.empty() ? nullptr : valid[row];
+      for (int x = first; x < last; ++x) {
+        if (usable == nullptr || usable[x] != 0) levels[x - pixels.start] = source[x];
+      }
+      line(row - y) = levels;
+    }
+  }
+
+  /// The neighbour that the first pixel has at this offset; those of the next pixels follow.
+  const float* at(int dx, int dy) const {
+    return lines_[static_cast<std::size_t>(dy + radius_.y)] + dx;
+  }
+  /// One that does not exist.
+  const float* nothing() const { return nothing_.data() + radius_.x; }
 
  private:
-  void load_row(const float* source, int row) {
-    const int width = image_.size().width;
-    float* const levels = levels_.data() + offset(row - y_ + radius_.y);
-    if (image_.valid.empty()) {
-      std::copy_n(source, width, levels);
-    } else {
-      const std::uint8_t* const valid = image_.valid[row];
-      for (int x = 0; x < width; ++x) {
-        const float level = source[x];
-        levels[x] = valid[x] != 0 ? level : kNothing;
-      }
-    }
-    if (mirrored_) std::reverse(levels, levels + width);
+  int first_row(int y) const { return std::max(0, y - radius_.y); }
+  int last_row(const cv::Mat1f& plane, int y) const {
+    return std::min(plane.rows - 1, y + radius_.y);
   }
-  const float* pixel(int row) const { return levels_.data() + offset(row); }
-  std::size_t offset(int row) const {
-    return static_cast<std::size_t>(row) * stride_ + static_cast<std::size_t>(radius_.x);
-  }
+  const float*& line(int dy) { return lines_[static_cast<std::size_t>(dy + radius_.y)]; }
 
-  const Image& image_;
-  int y_;
   cv::Point radius_;
-  bool mirrored_;
-  std::size_t stride_;
-  std::vector<float> levels_;
+  std::vector<float> nothing_, copies_;
+  std::vector<const float*> lines_;
 };
 
-std::vector<Neighbours> neighbours(const Neighbourhood& around, cv::Size window) {
+std::vector<Neighbours> neighbours(const Surroundings& around, cv::Size window) {
   std::vector<Neighbours> result;
   int bit = 0;
   for (int dy = -(window.height / 2); dy <= window.height / 2; ++dy) {
@@ -79,13 +81,31 @@ std::vector<Neighbours> neighbours(const Neighbourhood& around, cv::Size window)
 }  // namespace
 
 Descriptors transform(const Image& image, int y, cv::Size window, const cost::RowLayout& layout) {
-  Neighbourhood around(image, y, window, layout.mirrored);
-  const std::vector<Neighbours> bytes = neighbours(around, window);
-  Descriptors row(image, y, static_cast<int>(image.planes.size() * bytes.size()), layout);
+  const int width = image.size().width, radius = window.width / 2;
+  const int bytes_of_plane = (window.area() - 1 + 7) / 8;
+  Descriptors row(image, y, static_cast<int>(image.planes.size()) * bytes_of_plane, layout);
+  Surroundings around(window, width);
   int k = 0;
+  const auto describe = [&](cv::Range pixels) {
+    const int first = layout.mirrored ? width - 1 - pixels.start : pixels.start;
+    int byte = k;
+    for (const Neighbours& eight : neighbours(around, window))
+      compare(eight, around.at(0, 0), pixels.size(), layout.mirrored, row.plane(byte++) + first);
+  };
+  // What can be looked at without copying: all but the ends of the row.
+  const bool copied = !image.valid.empty() || width <= 2 * radius;
+  const cv::Range inside = copied ? cv::Range(width, width) : cv::Range(radius, width - radius);
   for (const cv::Mat1f& plane : image.planes) {
-    around.load(plane);
-    for (const Neighbours& byte : bytes) compare(byte, around.at(0, 0), plane.cols, row.plane(k++));
+    if (!copied) {
+      around.view(plane, y, inside);
+      describe(inside);
+    }
+    for (const cv::Range ends : {cv::Range(0, inside.start), cv::Range(inside.end, width)}) {
+      if (ends.empty()) continue;
+      around.copy(plane, image.valid, y, ends);
+      describe(ends);
+    }
+    k += bytes_of_plane;
   }
   return row;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <vector>
 
 #include "xgm/base/parallel.hpp"
 #include "xgm/data/disparity_map.hpp"
@@ -44,8 +45,6 @@ inline bool find_rises(const std::uint16_t* cell, Rises& rises) {
 /// Adds shift(rises), within [-0.5, 0.5], to every disparity that allows a fit; all else stays.
 template <class Shift>
 DisparityMap refine(const DisparityMap& map, const AggregatedVolume& sums, Shift shift) {
-  // Cells of neighbours lie too far apart for the processor to see them coming.
-  constexpr int kAhead = 24;
   const cv::Size size = map.size();
   DisparityMap refined;
   refined.disparity.create(size);
@@ -54,11 +53,15 @@ DisparityMap refine(const DisparityMap& map, const AggregatedVolume& sums, Shift
     std::copy_n(map.status[y], size.width, refined.status[y]);
     const float* const whole = map.disparity[y];
     float* const result = refined.disparity[y];
+    // Cells of neighbours lie too far apart for the processor to see them coming.
+    std::vector<const std::uint16_t*> cells(static_cast<std::size_t>(size.width));
     for (int x = 0; x < size.width; ++x) {
-      const int ahead = std::min(x + kAhead, size.width - 1);
-      __builtin_prefetch(inner_cell(sums, y, ahead, whole[ahead]));
+      cells[static_cast<std::size_t>(x)] = inner_cell(sums, y, x, whole[x]);
+      __builtin_prefetch(cells[static_cast<std::size_t>(x)]);
+    }
+    for (int x = 0; x < size.width; ++x) {
       Rises rises;
-      const bool fits = find_rises(inner_cell(sums, y, x, whole[x]), rises);
+      const bool fits = find_rises(cells[static_cast<std::size_t>(x)], rises);
       result[x] = fits ? whole[x] + shift(rises) : whole[x];
     }
   });

@@ -83,3 +83,24 @@ TEST_CASE("grey is the luma of blue, green, red") {
   for (const float value : {10.f, 20.f, 30.f}) image.planes.emplace_back(1, 1, value);
   CHECK(image.grey()(0, 0) == doctest::Approx(0.114 * 10 + 0.587 * 20 + 0.299 * 30));
 }
+
+TEST_CASE("a pixel's grey does not depend on the rows that are computed with it") {
+  // Contiguous or not, of sizes that leave rests of vectors.
+  for (const cv::Size size : {cv::Size(1, 300), {37, 65}, {130, 131}}) {
+    for (const bool contiguous : {true, false}) {
+      CAPTURE(size);
+      CAPTURE(contiguous);
+      cv::RNG random(7);
+      Image image;
+      for (int k = 0; k < 3; ++k) {
+        cv::Mat1f large(size.height + 2, size.width + 3);
+        random.fill(large, cv::RNG::UNIFORM, 0, 255);
+        const cv::Mat1f part = large(cv::Rect({2, 1}, size));
+        image.planes.push_back(contiguous ? part.clone() : part);
+      }
+      const cv::Mat1f whole(image.planes[0] * 0.114f + image.planes[1] * 0.587f +
+                            image.planes[2] * 0.299f);
+      CHECK(cv::countNonZero(image.grey() != whole) == 0);
+    }
+  }
+}

@@ -44,7 +44,7 @@ class XGM_API DisparityRange {
   DisparityRange(cv::Mat1i begin, cv::Mat1i end);
 
   cv::Size size() const { return size_; }
-  bool is_uniform() const { return begin_.empty(); }
+  bool is_uniform() const { return begin_.data == nullptr; }
   Interval at(int y, int x) const {
     return is_uniform() ? hull_ : Interval{begin_(y, x), end_(y, x)};
   }
