@@ -24,9 +24,9 @@ using Advance = void (*)(PassWalk<Cell>& walk, Band<Cell>& band, int first, int 
 template <class Cell>
 Advance<Cell> choose_advance(const PassStep& pass);
 
-/// One pixel, cell by cell, of any pass: the reference of all others.
+/// The pixel that element k of its line's plan is about, cell by cell, in any pass: the reference
+/// of all others.
 template <class Cell>
-void extend_plain(const PassWalk<Cell>& walk, const WalkedLine<Cell>& line,
-                  const WalkedPixel<Cell>& pixel);
+void extend_plain(const PassWalk<Cell>& walk, WalkedLine<Cell>& line, int k);
 
 }  // namespace xgm::aggregation

@@ -33,6 +33,7 @@ void run_passes(const CostVolume& costs, const PenaltyField& penalties,
     step.bits = sums.fraction_bits;
     step.cost_weight = bounds.cost_weight;
     step.p2 = bounds.p2 << step.bits;
+    step.always_room = ((bounds.max_cost + bounds.p2) << step.bits) + step.p2 < kInfinite<Cell>;
     PassWalk<Cell> walk(costs, penalties, passes[i], layout, step, sums);
     const double done = share * static_cast<double>(i);
     LineProgress progress(context.part(done, done + share), walk.frame().lines());

@@ -60,16 +60,16 @@ PassPenalties<Cell>::PassPenalties(const PenaltyField& field, std::vector<Direct
       hull_(hull),
       base_(most(tables, &PenaltyTable::base_classes), static_cast<int>(tables.size()), rows,
             width),
-      // Whole granules are read at any disparity of the hull.
+      // Whole vectors of 64 are read at any disparity of the hull.
       match_(most(tables, &PenaltyTable::match_classes), static_cast<int>(tables.size()), rows,
-             width + hull.size() + VolumeShape::kGranule) {
+             width + hull.size() + 64) {
   for (const PenaltyTable& table : tables) {
     for (int base = 0; base < base_.count(); ++base) {
       for (int match = 0; match < match_.count(); ++match) {
         const PenaltyPair& pair = table.at(std::min(base, table.base_classes - 1),
                                            std::min(match, table.match_classes - 1));
-        penalties_.push_back(
-            {static_cast<Cell>(pair.p1 * unit), static_cast<Cell>(pair.p2 * unit)});
+        penalties_.push_back({Repeated(static_cast<Cell>(pair.p1 * unit)),
+                              Repeated(static_cast<Cell>(pair.p2 * unit))});
       }
     }
   }

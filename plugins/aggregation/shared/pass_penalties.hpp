@@ -68,7 +68,7 @@ class PassPenalties {
     return match_.at(slot, 0) + (width_ - 1 - x - hull_.begin);
   }
   /// Tables of all steps: base classes x match classes each.
-  const StepPenalties<Cell>* tables() const { return penalties_.data(); }
+  const StepPenalties* tables() const { return penalties_.data(); }
 
  private:
   static std::vector<PenaltyTable> tables_of(const PenaltyField& field,
@@ -82,7 +82,7 @@ class PassPenalties {
   int width_;
   Interval hull_;
   PixelClasses base_, match_;
-  std::vector<StepPenalties<Cell>> penalties_;  // steps x base classes x match classes
+  std::vector<StepPenalties> penalties_;  // steps x base classes x match classes
 };
 
 extern template class PassPenalties<std::uint8_t>;

@@ -29,7 +29,8 @@ int find_lag(const Pass& pass) {
 }  // namespace
 
 /// A band is begun when all before it are finished but those that other threads are at. While a
-/// line of it is at pixel u, the ones that look back at it are at u - 2 * lag or before.
+/// line of it is at pixel u, the ones that look back at it are at u - 2 * lag or before. One pixel
+/// more is kept because what is written behind a slice spoils the cells that follow.
 LinesKept lines_kept(const Pass& pass, int lines, int threads) {
   int looked_back = 0;
   for (const Direction x : all_steps(pass))
@@ -37,7 +38,7 @@ LinesKept lines_kept(const Pass& pass, int lines, int threads) {
   return {.bands = std::min(threads + 1, (lines + kBand - 1) / kBand),
           .band_lines = kBand,
           .last_lines = looked_back,
-          .pixels = 2 * find_lag(pass) + 2 * kFarthest + 1};
+          .pixels = 2 * find_lag(pass) + 2 * kFarthest + 2};
 }
 
 template <class Cell>
@@ -54,8 +55,8 @@ PassWalk<Cell>::PassWalk(const CostVolume& costs, const PenaltyField& penalties,
       penalties_(penalties, all_steps(pass),
                  frame_.lines_are_rows() ? lines_.slots() : shape_.height(), shape_.width(),
                  shape_.hull(), 1 << step.bits),
-      // A slice, a granule before it, and what copying whole granules writes behind it.
-      scratch_stride_(VolumeShape::rounded_up(shape_.max_count()) + 3 * kGranule) {
+      // A slice, a granule before it, and what whole vectors of 64 read behind it.
+      scratch_stride_(VolumeShape::rounded_up(shape_.max_count()) + 6 * kGranule) {
   for (const Direction x : all_steps(pass))
     steps_.push_back({pixels_along(x, pass.along), lines_across(x, pass.across)});
   step_.paths = static_cast<int>(pass.paths.size());
@@ -79,75 +80,110 @@ void PassWalk<Cell>::load_penalties(int v) {
 }
 
 template <class Cell>
-auto PassWalk<Cell>::begin_line(int v) -> Line {
-  Line line;
+void PassWalk<Cell>::begin_line(int v, Line& line) {
   const cv::Point start = frame_.pixel(0, v);
   const Direction along = frame_.along();
+  line.v = v;
   line.start = start;
-  line.pixels = lines_.line(v);
-  line.cells = lines_.cells(v);
   line.slices = {&shape_.slice(start.y, start.x),
                  along.dx + std::ptrdiff_t{along.dy} * shape_.width()};
   const int slot = lines_.slot(v), row = frame_.lines_are_rows() ? slot : start.y;
   const PixelClasses &base = penalties_.base(), &match = penalties_.match();
+  line.base_classes = {};
   if (base.count() > 1)
     line.base_classes = {base.at(row, start.x), along.dx + along.dy * base.row_stride()};
+  line.match_classes = {};
   if (match.count() > 1)
     line.match_classes = {penalties_.match_at(row, start.x),
                           along.dy * match.row_stride() - along.dx};
   line.scratch = scratch_[static_cast<std::size_t>(slot)].data();
+  line.pixels = lines_.pixels(v);
+  for (int i = 0; i <= kFarthest; ++i) line.any_lost[i] = lines_.pixels(v - i).any_lost;
   for (std::size_t t = 0; t < steps_.size(); ++t) {
-    line.back[t] = lines_.line(v - steps_[t].across) - steps_[t].along;
+    line.back[t] = lines_.pixels(v - steps_[t].across).at(-steps_[t].along);
     line.back_costs[t] = lines_.costs(v - steps_[t].across, static_cast<int>(t) / step_.terms);
   }
   for (int path = 0; path < step_.paths; ++path) line.costs[path] = lines_.costs(v, path);
-  find_penalties(line, line.base_classes.first);
-  return line;
+  line.known_classes = -1;
 }
 
 template <class Cell>
-void PassWalk<Cell>::find_penalties(Line& line, const std::uint8_t* classes) const {
-  const PixelClasses& base = penalties_.base();
-  const int steps = static_cast<int>(steps_.size());
-  line.known_classes = base.packed() ? *classes : -1;
-  const StepPenalties<Cell>* penalties = penalties_.tables();
-  const int row = penalties_.match().count(), table = base.count() * row;
-  for (int t = 0; t < steps; ++t, penalties += table) {
-    const int offset = classes == nullptr ? 0 : base.get(t, classes) * row;
-    line.penalties[t] = penalties + offset;
+void PassWalk<Cell>::plan(Line& line, int first, int last) {
+  LinePlan& plan = line.plan;
+  plan.first = first;
+  const int from = std::clamp(-first, 0, last - first);
+  const int to = std::clamp(frame_.length() - first, from, last - first);
+  std::fill(plan.room, plan.room + from, 0);
+  std::fill(plan.room + to, plan.room + LinePlan::kPixels, 0);
+  const int dy = frame_.along().dy;
+  const Strided<VolumeShape::Slice> slices = line.slices;
+  for (int k = from; k < to; ++k) {
+    // May lead beyond the image, which prefetching does not mind.
+    __builtin_prefetch(slices.at(first + k + LinePlan::kPixels));
+    const VolumeShape::Slice slice = *slices.at(first + k);
+    plan.begin[k] = slice.begin;
+    plan.count[k] = slice.count;
+    plan.room[k] = VolumeShape::rounded_up(slice.count);
+    plan.offset[k] = shape_.offset(line.start.y + (first + k) * dy, slice);
   }
-}
-
-template <class Cell>
-void PassWalk<Cell>::find_terms(const Line& line, int u, int begin, int room, int first_path,
-                                int paths, Term<Cell>* terms) const {
-  const int first_step = first_path * step_.terms;
-  for (int t = 0; t < paths * step_.terms; ++t) {
-    int step = first_step + t;
-    if (step_.terms == 2 && !line.back[step][u].counts()) {
-      const int other = step ^ 1;
-      if (line.back[other][u].counts()) step = other;
+  if (penalties_.base().count() == 1) {
+    std::fill(plan.base_classes + from, plan.base_classes + to, 0);
+  } else if (!penalties_.base().packed()) {
+    std::fill(plan.base_classes + from, plan.base_classes + to, LinePlan::kUnknown);
+  } else {
+    const Strided<std::uint8_t> classes = line.base_classes;
+    for (int k = from; k < to; ++k) {
+      __builtin_prefetch(classes.at(first + k + LinePlan::kPixels));
+      plan.base_classes[k] = *classes.at(first + k);
     }
-    const Pixel& previous = line.back[step][u];
-    const Cell* const costs = line.back_costs[step];
-    const Cell* const cells = holds(previous, begin, room)
-                                  ? costs + previous.zero + begin
-                                  : joined(begin, room, previous, costs,
-                                           line.scratch + std::ptrdiff_t{scratch_stride_} * step);
-    terms[t] = {cells, previous.least + (first_path + t / step_.terms), step, line.penalties[step]};
   }
+  for (int k = to; k < to + LinePlan::kAhead; ++k)
+    plan.offset[k] = offset_of(line, std::min(first + k, frame_.length() - 1));
+  if (from < to) lines_.open(line.v, plan, from, to);
 }
 
 template <class Cell>
-const Cell* PassWalk<Cell>::joined(int begin, int room, const Pixel& previous, const Cell* costs,
+void PassWalk<Cell>::change_penalties(Line& line, int k) const {
+  const PixelClasses& base = penalties_.base();
+  const std::uint8_t* const classes =
+      base.count() > 1 ? line.base_classes.at(line.plan.first + k) : nullptr;
+  line.known_classes = std::max(-1, line.plan.base_classes[k]);
+  const StepPenalties* penalties = penalties_.tables();
+  const int row = penalties_.match().count(), table = base.count() * row;
+  for (int t = 0; t < static_cast<int>(steps_.size()); ++t, penalties += table)
+    line.penalties[t] = penalties + (classes == nullptr ? 0 : base.get(t, classes) * row);
+}
+
+template <class Cell>
+const Term<Cell>* PassWalk<Cell>::find_terms(Line& line, int k) const {
+  const int u = line.plan.first + k, begin = line.plan.begin[k], room = line.plan.room[k];
+  for (int t = 0; t < static_cast<int>(steps_.size()); ++t) {
+    int step = t;
+    if (step_.terms == 2 && line.back[t].lost[u]) {
+      const int other = t ^ 1;
+      if (!line.back[other].lost[u]) step = other;
+    }
+    const Pixels previous = line.back[step].at(u);
+    const Cell* const costs = line.back_costs[step];
+    const bool holds = begin - 1 >= *previous.from && begin + room <= *previous.to;
+    const Cell* const cells = holds ? costs + (*previous.zero + begin)
+                                    : joined(begin, room, previous, costs,
+                                             line.scratch + std::ptrdiff_t{scratch_stride_} * step);
+    line.terms[t] = {cells, previous.least + t / step_.terms, step, line.penalties[step]};
+  }
+  return line.terms;
+}
+
+template <class Cell>
+const Cell* PassWalk<Cell>::joined(int begin, int room, const Pixels& previous, const Cell* costs,
                                    Cell* scratch) {
   Cell* const first = scratch + kGranule;
   std::fill(first - kGranule, first + room + kGranule, kInfinite<Cell>);
-  if (!previous.counts()) return first;
-  // Whole granules: behind the last one there are infinite costs, too.
-  const int from = previous.from + kGranule, to = previous.to + 1 - kGranule;
+  // Whole granules: behind the last one there are infinite costs, too. Nothing of what does not
+  // exist.
+  const int from = *previous.from + kGranule, to = *previous.to + 1 - kGranule;
   for (int d = std::max(from, begin - 1); d < std::min(to, begin + room + 1); d += kGranule)
-    std::copy_n(costs + (previous.zero + d), kGranule, first + (d - begin));
+    std::copy_n(costs + (*previous.zero + d), kGranule, first + (d - begin));
   return first;
 }
 

@@ -3,10 +3,11 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
+#include "plugins/aggregation/shared/line_plan.hpp"
 #include "plugins/aggregation/shared/pass.hpp"
 #include "plugins/aggregation/shared/pixel_step.hpp"
 #include "xgm/base/cells.hpp"
@@ -63,38 +64,49 @@ struct LinesKept {
   int pixels = 0;      ///< and only so many pixels of the others
 };
 
+/// The pixels of a line, an array for everything that is known of them. One that was never opened
+/// stands for what does not exist; there are kBeside of these beyond both ends.
+template <class Cell>
+struct LinePixels {
+  /// Disparities from..to have path costs in memory, those without a match infinite ones; that of
+  /// disparity d is cell zero + d of a line of costs.
+  int *from, *to, *zero;
+  Repeated* least;  ///< min_i L(p, i) of each path, one path's after the other's; infinite if lost
+  int paths;        ///< how many these are
+  std::uint8_t* lost;  ///< 1 if there is no match at all, else 0; known if paths have two terms
+  std::atomic<bool>* any_lost;  ///< whether the line has such a pixel among those that have cells
+
+  /// Seen from pixel u.
+  LinePixels at(std::ptrdiff_t u) const {
+    return {from + u, to + u, zero + u, least + u * paths, paths, lost + u, any_lost};
+  }
+  void lose(int u) const {
+    lost[u] = 1;
+    any_lost->store(true, std::memory_order_relaxed);
+  }
+};
+
 /// A ring of lines. Pixels take as many cells as they need, so that ragged volumes need no more
 /// room than their fullest line.
 template <class Cell>
 class PathLines {
  public:
-  /// One that was never opened stands for what does not exist.
-  struct Pixel {
-    /// Disparities from..to have path costs in memory, those without a match infinite ones; that of
-    /// disparity d is cell zero + d of a line of costs.
-    int from = kNone, to = -kNone;
-    int zero = 0;
-    int next = 0;            ///< cell behind its margin
-    Cell least[kMostPaths];  ///< min_i L(p, i) of each path, infinite if there is no match at all
-
-    Pixel() { std::fill_n(least, kMostPaths, kInfinite<Cell>); }
-    bool counts() const { return least[0] != kInfinite<Cell>; }
-  };
+  using Pixels = LinePixels<Cell>;
 
   PathLines(const PathLayout& layout, const PassFrame& frame, int paths, const LinesKept& kept)
       : layout_(layout), lines_(static_cast<std::size_t>(kept.bands * kept.band_lines)) {
-    const auto padded = static_cast<std::size_t>(frame.length() + 2 * kFarthest);
+    const auto padded = static_cast<std::size_t>(frame.length() + 2 * kBeside);
     const std::size_t whole = layout.fullest_line(frame.lines_are_rows());
     const std::size_t part =
         std::min(whole, layout.longest() * static_cast<std::size_t>(kept.pixels));
-    nothing_.resize(padded);
+    nothing_.resize(padded, paths);
     for (int i = 0; i < slots(); ++i) {
       const bool is_whole = i % kept.band_lines >= kept.band_lines - kept.last_lines;
       Line& line = lines_[static_cast<std::size_t>(i)];
-      line.pixels.resize(padded);
-      line.pixels[kFarthest - 1].next = layout.margin();
+      line.resize(padded, paths);
       line.cells = (is_whole ? whole : part) + static_cast<std::size_t>(layout.margin());
-      const std::size_t all = line.cells * static_cast<std::size_t>(paths);
+      line.stride = line.cells + kBehind;
+      const std::size_t all = line.stride * static_cast<std::size_t>(paths);
       line.memory = new_cells(all * sizeof(Cell));
       std::fill_n(static_cast<Cell*>(line.memory.get()), all, kInfinite<Cell>);
     }
@@ -103,51 +115,92 @@ class PathLines {
   int slots() const { return static_cast<int>(lines_.size()); }
   int slot(int v) const { return v % slots(); }
 
-  /// The pixels of line v, which forgets line v - slots(). Beyond both ends, and before the first
-  /// line, there are kFarthest pixels that do not exist.
-  Pixel* line(int v) { return (v < 0 ? nothing_ : line_of(v).pixels).data() + kFarthest; }
-  /// L(., .) of a path in line v.
+  /// The pixels of line v, from pixel 0 on. It forgets line v - slots(). None before the first line
+  /// exists.
+  Pixels pixels(int v) { return (v < 0 ? nothing_ : line_of(v)).pixels(); }
+  /// L(., .) of a path in line v. kBehind cells behind a slice may be read; they may be written
+  /// until the next pixel's are.
   Cell* costs(int v, int path) {
     if (v < 0) return nullptr;
     Line& line = line_of(v);
-    return static_cast<Cell*>(line.memory.get()) + line.cells * static_cast<std::size_t>(path);
+    return static_cast<Cell*>(line.memory.get()) + line.stride * static_cast<std::size_t>(path);
   }
 
-  /// Of each path, in line v.
-  int cells(int v) { return static_cast<int>(line_of(v).cells); }
-
-  /// Makes room for a pixel of a line of so many cells; the one before it must have been opened.
-  /// Where only a part of the line is kept, the pixels opened first are forgotten.
-  void open(Pixel& pixel, int cells, int begin, int room) const {
-    const int stride = layout_.stride(room);
-    int first = (&pixel)[-1].next;
-    if (first + stride > cells) first = layout_.margin();
-    pixel.from = begin - VolumeShape::kGranule;
-    pixel.to = begin + room + VolumeShape::kGranule - 1;
-    pixel.zero = first - begin;
-    pixel.next = first + stride;
-  }
-
-  /// A pixel of no cells.
-  void skip(Pixel& pixel) const {
-    pixel = {};
-    pixel.next = (&pixel)[-1].next;
+  /// Makes room for pixels of line v: elements from..to - 1 of the plan, whose slices are known.
+  /// They are opened one after the other, from pixel 0 on. Where only a part of the line is kept,
+  /// those opened first are forgotten.
+  void open(int v, LinePlan& plan, int from, int to) {
+    Line& line = line_of(v);
+    if (plan.first + from == 0) line.begin(layout_.margin());
+    const Pixels pixels = line.pixels().at(plan.first);
+    const int cells = static_cast<int>(line.cells), margin = layout_.margin();
+    int next = line.next;
+    for (int k = from; k < to; ++k) {
+      const int begin = plan.begin[k], room = plan.room[k];
+      if (room == 0) {
+        skip(pixels, k);
+        continue;
+      }
+      const int stride = layout_.stride(room);
+      const int first = next + stride > cells ? margin : next;
+      next = first + stride;
+      pixels.from[k] = begin - VolumeShape::kGranule;
+      pixels.to[k] = begin + room + VolumeShape::kGranule - 1;
+      pixels.zero[k] = first - begin;
+      pixels.lost[k] = 0;
+      plan.own[k] = first;
+    }
+    line.next = next;
   }
 
  private:
-  static constexpr int kNone = std::numeric_limits<int>::max();
+  static constexpr int kNone = 1 << 30;  // far beyond any disparity, but may be calculated with
+  static constexpr int kBeside = kFarthest + LinePlan::kPixels;
+  static constexpr std::size_t kBehind = 64;  // the widest vector
+
+  /// A pixel of no cells.
+  static void skip(const Pixels& pixels, int k) {
+    pixels.from[k] = kNone;
+    pixels.to[k] = -kNone;
+    pixels.zero[k] = 0;
+    pixels.lost[k] = 1;
+    std::fill_n(pixels.least + k * pixels.paths, pixels.paths, Repeated(kInfinite<Cell>));
+  }
 
   struct Line {
     Cells memory;
-    std::size_t cells = 0;  // of each path
-    std::vector<Pixel> pixels;
+    std::size_t cells = 0, stride = 0;  // of each path, without and with those behind
+    int paths = 0;
+    int next = 0;  // cell behind the margin of the pixel that will be opened
+    std::vector<int> from, to, zero;
+    std::vector<Repeated> least;
+    std::vector<std::uint8_t> lost;
+    std::atomic<bool> any_lost = false;
+
+    void resize(std::size_t padded, int path_count) {
+      paths = path_count;
+      from.assign(padded, kNone);
+      to.assign(padded, -kNone);
+      zero.assign(padded, 0);
+      least.assign(padded * static_cast<std::size_t>(paths), Repeated(kInfinite<Cell>));
+      lost.assign(padded, 1);
+    }
+    void begin(int margin) {
+      next = margin;
+      any_lost.store(false, std::memory_order_relaxed);
+    }
+    Pixels pixels() {
+      return Pixels{from.data(), to.data(),   zero.data(), least.data(),
+                    paths,       lost.data(), &any_lost}
+          .at(kBeside);
+    }
   };
 
   Line& line_of(int v) { return lines_[static_cast<std::size_t>(slot(v))]; }
 
   PathLayout layout_;
   std::vector<Line> lines_;
-  std::vector<Pixel> nothing_;
+  Line nothing_;
 };
 
 }  // namespace xgm::aggregation

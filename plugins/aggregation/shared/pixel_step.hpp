@@ -16,20 +16,37 @@ inline constexpr int kMostTerms = 2;  ///< of a path
 inline constexpr int kMostSteps = kMostPaths * kMostTerms;
 inline constexpr int kFarthest = 2;  ///< pixels and lines that a step leads back: knight's moves
 
+/// A path cost, repeated over 32 bits: processors fill a vector with such a number as they load it,
+/// with a single byte only in a further step.
+class Repeated {
+ public:
+  Repeated() = default;
+  explicit constexpr Repeated(std::uint8_t cost) : bits_(cost * 0x01010101U) {}
+  explicit constexpr Repeated(std::uint16_t cost) : bits_(cost * 0x00010001U) {}
+
+  std::uint32_t bits() const { return bits_; }
+  template <class Cell>
+  Cell as() const {
+    return static_cast<Cell>(bits_);
+  }
+
+ private:
+  std::uint32_t bits_ = 0;
+};
+
 /// In units of path costs.
-template <class Cell>
 struct StepPenalties {
-  Cell p1, p2;
+  Repeated p1, p2;
 };
 
 /// What a path brings to p from q = p - x:
 ///   min(L(q, d), L(q, d+-1) + P1, min_i L(q, i) + P2) - min_i L(q, i).
 template <class Cell>
 struct Term {
-  const Cell* previous;  ///< L(q, d) for p's disparities, and one more on either side
-  const Cell* least;     ///< min_i L(q, i)
-  int step;              ///< which one of the pass it is
-  const StepPenalties<Cell>* penalties;  ///< by match class
+  const Cell* previous;            ///< L(q, d) for p's disparities, and one more on either side
+  const Repeated* least;           ///< min_i L(q, i)
+  int step;                        ///< which one of the pass it is
+  const StepPenalties* penalties;  ///< by match class
 };
 
 /// What is the same for all pixels of a pass.
@@ -43,6 +60,7 @@ struct PassStep {
   int bits = 0;              ///< fraction bits of path costs and sums
   int cost_weight = 1;       ///< how often C is in the sums beside what paths bring
   int p2 = 0;                ///< the largest, in units of path costs
+  bool always_room = false;  ///< whether has_room_for_p2() holds for all path costs that occur
 };
 
 /// Whether the next pixel can add P2 to the least path cost. Nearly always so: its own C is all
@@ -52,8 +70,8 @@ bool has_room_for_p2(Cell least, const PassStep& pass) {
   return least == kInfinite<Cell> || least + pass.p2 < kInfinite<Cell>;
 }
 
-/// Makes that room: `room` path costs less the least, which becomes 0.
+/// Makes that room: `room` path costs less `least`, the least of them, which is 0 then.
 template <class Cell>
-void lower(Cell* costs, int room, Cell& least);
+void lower(Cell* costs, int room, Cell least);
 
 }  // namespace xgm::aggregation

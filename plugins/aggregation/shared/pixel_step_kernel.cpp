@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The inner step in vectors. Cells are handled in blocks of 64, then 32, then 16 (as far as the
-// vectors are that wide), so that a slice of whole granules has no rest. Up to four paths advance
-// together: their minima, the only thing that one block waits for another with, are reduced at
-// once.
-#include <hwy/cache_control.h>
-
+// The inner step in vectors. Up to four paths advance together: their minima, the only thing that
+// one block waits for another with, are reduced at once.
 #include <cstring>
 
 #include "plugins/aggregation/shared/advance.hpp"
@@ -14,20 +10,26 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "plugins/aggregation/shared/blocks-inl.hpp"
+
 HWY_BEFORE_NAMESPACE();
 namespace xgm::aggregation::HWY_NAMESPACE {
 
 /// Extends with `Extend` at each pixel.
 template <class Extend, class Cell>
 void advance(PassWalk<Cell>& walk, Band<Cell>& band, int first, int last) {
-  const int lag = walk.lag(), length = walk.frame().length(), count = band.count;
-  for (int u = first; u < last; ++u) {
+  const int lag = walk.lag(), count = band.count;
+  for (int from = first; from < last; from += LinePlan::kPixels) {
+    const int pixels = last - from < LinePlan::kPixels ? last - from : LinePlan::kPixels;
     for (int i = 0; i < count; ++i) {
-      const int own = u - i * lag;
-      if (own < 0 || own >= length) continue;
-      WalkedLine<Cell>& line = band.lines[i];
-      const WalkedPixel<Cell> pixel = walk.open(line, own);
-      if (pixel.room > 0) Extend::extend(walk, line, pixel);
+      const int own = from - i * lag;
+      walk.plan(band.lines[i], own, own + pixels);
+      Extend::look_back(walk.step(), band.lines[i]);
+    }
+    for (int k = 0; k < pixels; ++k) {
+      for (int i = 0; i < count; ++i) {
+        if (band.lines[i].plan.room[k] > 0) Extend::extend(walk, band.lines[i], k);
+      }
     }
   }
   // Before others hear of it.
@@ -36,9 +38,10 @@ void advance(PassWalk<Cell>& walk, Band<Cell>& band, int first, int last) {
 
 struct Plainly {
   template <class Cell>
-  static void extend(const PassWalk<Cell>& walk, const WalkedLine<Cell>& line,
-                     const WalkedPixel<Cell>& pixel) {
-    extend_plain(walk, line, pixel);
+  static void look_back(const PassStep&, WalkedLine<Cell>&) {}
+  template <class Cell>
+  static void extend(const PassWalk<Cell>& walk, WalkedLine<Cell>& line, int k) {
+    extend_plain(walk, line, k);
   }
 };
 
@@ -51,66 +54,6 @@ Advance<Cell> choose(const PassStep&) {
 
 #else
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-/// Vectors of fewer lanes at the end of a slice give a minimum of all lanes, too.
-template <class D, class Full>
-HWY_INLINE hn::VFromD<Full> repeated(D d, Full full, hn::VFromD<D> v) {
-  if constexpr (hn::MaxLanes(d) == hn::MaxLanes(full)) {
-    return v;
-  } else {
-    const hn::Twice<D> twice;
-    return repeated(twice, full, hn::Combine(twice, v, v));
-  }
-}
-
-/// C in units of path costs, infinite where there is no match.
-template <class D>
-HWY_INLINE hn::VFromD<D> load_cost(D d, const std::uint8_t* cost, int bits) {
-  if constexpr (sizeof(hn::TFromD<D>) == 1) {
-    auto c = hn::LoadU(d, cost);
-    for (int bit = 0; bit < bits; ++bit) c = hn::SaturatedAdd(c, c);  // 255 stays
-    return c;
-  } else {
-    const auto c = hn::PromoteTo(d, hn::LoadU(hn::Rebind<std::uint8_t, D>(), cost));
-    const auto none = hn::Eq(c, hn::Set(d, CostVolume::kNoMatch));
-    return hn::IfThenElse(none, hn::Set(d, kInfinite<std::uint16_t>), hn::ShiftLeftSame(c, bits));
-  }
-}
-
-/// The same, infinite also from `count` on.
-template <class D>
-HWY_INLINE hn::VFromD<D> load_cost(D d, const std::uint8_t* cost, int bits, int count) {
-  const auto c = load_cost(d, cost, bits);
-  const int lanes = static_cast<int>(hn::MaxLanes(d));
-  if (HWY_LIKELY(count >= lanes)) return c;
-  const auto exists = hn::FirstN(d, static_cast<std::size_t>(count < 0 ? 0 : count));
-  return hn::IfThenElse(exists, c, hn::Set(d, kInfinite<hn::TFromD<D> >));
-}
-
-/// The match classes of a block's disparities, from i on.
-template <bool kClasses, class D>
-HWY_INLINE hn::VFromD<D> load_classes(D d, const std::uint8_t* classes, int i) {
-  if constexpr (!kClasses) {
-    return hn::Zero(d);
-  } else if constexpr (sizeof(hn::TFromD<D>) == 1) {
-    return hn::LoadU(d, classes + i);
-  } else {
-    return hn::PromoteTo(d, hn::LoadU(hn::Rebind<std::uint8_t, D>(), classes + i));
-  }
-}
-
-/// The first lanes of v, as many as D has.
-template <class D, class Full>
-HWY_INLINE hn::VFromD<D> first_lanes(D d, Full full, hn::VFromD<Full> v) {
-  if constexpr (hn::MaxLanes(d) == hn::MaxLanes(full)) {
-    return v;
-  } else {
-    const hn::Half<Full> half;
-    return first_lanes(d, half, hn::LowerHalf(half, v));
-  }
-}
-
 /// A term in registers. Read from where it is, it would be read again after each path cost is
 /// written: those are bytes, which for all a compiler knows could be anything's.
 template <class D, bool kClasses>
@@ -120,11 +63,11 @@ class TermInRegisters {
 
   HWY_INLINE explicit TermInRegisters(const Term<Cell>& term)
       : previous_(term.previous),
-        least_(hn::Set(D(), *term.least)),
+        least_(filled(D(), *term.least)),
         bit_(hn::Set(D(), static_cast<Cell>(1 << term.step))) {
     for (int i = 0; i < kTable; ++i) {
-      p1_[i] = hn::Set(D(), term.penalties[i].p1);
-      far_[i] = hn::SaturatedAdd(least_, hn::Set(D(), term.penalties[i].p2));
+      p1_[i] = filled(D(), term.penalties[i].p1);
+      far_[i] = hn::SaturatedAdd(least_, filled(D(), term.penalties[i].p2));
     }
   }
 
@@ -150,118 +93,14 @@ class TermInRegisters {
   hn::VFromD<D> least_, bit_, p1_[kTable], far_[kTable];
 };
 
-/// The mean, halves to even: AverageRound rounds them up, which is odd where it must not be.
-template <class D>
-HWY_INLINE hn::VFromD<D> mean(D d, hn::VFromD<D> a, hn::VFromD<D> b) {
-  const auto up = hn::AverageRound(a, b);
-  return hn::Sub(up, hn::And(hn::And(hn::Xor(a, b), up), hn::Set(d, 1)));
-}
-
-/// Sums of 16 bit of as many lanes as path costs have.
-template <class D>
-struct Sums {
-  using Wide = hn::Repartition<std::uint16_t, D>;
-  hn::VFromD<Wide> low, high;
-
-  HWY_INLINE Sums() : low(hn::Zero(Wide())), high(hn::Zero(Wide())) {}
-
-  HWY_INLINE void add(D d, hn::VFromD<D> brought) {
-    if constexpr (sizeof(hn::TFromD<D>) == 1) {
-      low = hn::Add(low, hn::PromoteTo(Wide(), hn::LowerHalf(hn::Half<D>(), brought)));
-      high = hn::Add(high, hn::PromoteTo(Wide(), hn::UpperHalf(hn::Half<D>(), brought)));
-    } else {
-      low = hn::Add(low, brought);
-    }
-  }
-  /// Saturating, so that kNoMatch stays.
-  HWY_INLINE void add_to(std::uint16_t* sums) const {
-    const Wide wide;
-    hn::StoreU(hn::SaturatedAdd(low, hn::LoadU(wide, sums)), wide, sums);
-    if constexpr (sizeof(hn::TFromD<D>) == 1) {
-      sums += hn::MaxLanes(wide);
-      hn::StoreU(hn::SaturatedAdd(high, hn::LoadU(wide, sums)), wide, sums);
-    }
-  }
-  /// With the cost itself, kNoMatch where it is infinite.
-  HWY_INLINE void begin(D d, hn::VFromD<D> cost, std::uint16_t weight, bool past_caches,
-                        std::uint16_t* sums) const {
-    const Wide wide;
-    if constexpr (sizeof(hn::TFromD<D>) == 1) {
-      const hn::Half<D> half;
-      begin_wide(hn::PromoteTo(wide, hn::LowerHalf(half, cost)), low, CostVolume::kNoMatch, weight,
-                 past_caches, sums);
-      begin_wide(hn::PromoteTo(wide, hn::UpperHalf(half, cost)), high, CostVolume::kNoMatch, weight,
-                 past_caches, sums + hn::MaxLanes(wide));
-    } else {
-      begin_wide(cost, low, kInfinite<std::uint16_t>, weight, past_caches, sums);
-    }
-    (void)d;
-  }
-
- private:
-  static HWY_INLINE void begin_wide(hn::VFromD<Wide> cost, hn::VFromD<Wide> brought,
-                                    std::uint16_t infinite, std::uint16_t weight, bool past_caches,
-                                    std::uint16_t* sums) {
-    const Wide wide;
-    const auto none = hn::Eq(cost, hn::Set(wide, infinite));
-    const auto sum = hn::Add(hn::Mul(cost, hn::Set(wide, weight)), brought);
-    const auto begun = hn::IfThenElse(none, hn::Set(wide, AggregatedVolume::kNoMatch), sum);
-    if (past_caches) {
-      hn::Stream(begun, wide, sums);
-    } else {
-      hn::StoreU(begun, wide, sums);
-    }
-  }
-};
-
-/// Lane by lane the least of both halves, and so on down to 16 bytes.
-template <class D>
-HWY_INLINE auto folded(D d, hn::VFromD<D> v) {
-  if constexpr (hn::MaxLanes(d) * sizeof(hn::TFromD<D>) > 16) {
-    const hn::Half<D> half;
-    return folded(half, hn::Min(hn::LowerHalf(half, v), hn::UpperHalf(half, v)));
-  } else {
-    return v;
-  }
-}
-
-/// Lane k is the least of v[k], for one, two or four vectors at once: interleaved, a vector of
-/// minima holds those of all of them.
-template <class Cell, int kVectors, class V>
-HWY_INLINE hn::VFromD<hn::FixedTag<Cell, kVectors> > least_lanes(const V (&v)[kVectors]) {
-  const hn::FixedTag<Cell, 16 / sizeof(Cell)> d;
-  auto all = v[0];
-  if constexpr (kVectors > 1) {
-    all = hn::Min(hn::InterleaveLower(d, v[0], v[1]), hn::InterleaveUpper(d, v[0], v[1]));
-  }
-  if constexpr (kVectors > 2) {
-    const auto other =
-        hn::Min(hn::InterleaveLower(d, v[2], v[3]), hn::InterleaveUpper(d, v[2], v[3]));
-    const hn::RepartitionToWide<decltype(d)> pairs;
-    const auto a = hn::BitCast(pairs, all), b = hn::BitCast(pairs, other);
-    all = hn::Min(hn::BitCast(d, hn::InterleaveLower(pairs, a, b)),
-                  hn::BitCast(d, hn::InterleaveUpper(pairs, a, b)));
-  }
-  constexpr std::size_t kBytes = kVectors * sizeof(Cell);
-  if constexpr (kBytes <= 8) all = hn::Min(all, hn::ShiftRightBytes<8>(d, all));
-  if constexpr (kBytes <= 4) all = hn::Min(all, hn::ShiftRightBytes<4>(d, all));
-  if constexpr (kBytes <= 2) all = hn::Min(all, hn::ShiftRightBytes<2>(d, all));
-  if constexpr (kBytes <= 1) all = hn::Min(all, hn::ShiftRightBytes<1>(d, all));
-  return first_lanes(hn::FixedTag<Cell, kVectors>(), d, all);
-}
-
 /// A path in registers.
 template <class D, int kTerms, bool kClasses>
 class PathInRegisters {
  public:
   using Cell = hn::TFromD<D>;
 
-  /// `term` is the first one of those that the path has.
-  HWY_INLINE PathInRegisters(const Term<Cell>* term, Cell* costs)
-      : one_(term[0]),
-        other_(term[kTerms - 1]),
-        costs_(costs),
-        least_(hn::Set(D(), kInfinite<Cell>)) {}
+  HWY_INLINE PathInRegisters(const Term<Cell>& one, const Term<Cell>& other, Cell* costs)
+      : one_(one), other_(other), costs_(costs), least_(hn::Set(D(), kInfinite<Cell>)) {}
 
   /// Writes a block of path costs. Returns what the path brings.
   template <class Block>
@@ -276,7 +115,7 @@ class PathInRegisters {
   }
 
   Cell* costs() const { return costs_; }
-  HWY_INLINE auto folded_least() const { return folded(D(), least_); }
+  HWY_INLINE hn::VFromD<D> least() const { return least_; }
 
  private:
   TermInRegisters<D, kClasses> one_, other_;
@@ -284,141 +123,220 @@ class PathInRegisters {
   hn::VFromD<D> least_;
 };
 
-/// kPaths paths that advance together, in vectors of up to D's lanes.
-template <class D, int kPaths, int kTerms, bool kClasses>
+/// kPaths of the pass's kAllPaths, from kFirst on: they advance together, in vectors of up to D's
+/// lanes.
+template <class D, int kFirst, int kPaths, int kAllPaths, int kTerms, bool kClasses>
 class Group {
  public:
   using Cell = hn::TFromD<D>;
 
-  HWY_INLINE Group(const PassStep& pass, const WalkedPixel<Cell>& pixel, int first_path)
-      : pass_(pass),
-        pixel_(pixel),
-        first_path_(first_path),
-        begins_sums_(pass.first && first_path == 0),
+  HWY_INLINE Group(const PassWalk<Cell>& walk, const WalkedLine<Cell>& line, int k)
+      : room_(line.plan.room[k]),
+        count_(line.plan.count[k]),
+        bits_(walk.step().bits),
+        begins_sums_(kFirst == 0 && walk.step().first),
         // What other paths are still added to had better stay.
-        past_caches_(pass.past_caches && pass.paths == kPaths),
-        pairs_fit_(sizeof(Cell) == 1 && 2 * pass.p2 <= kInfinite<Cell>) {}
+        past_caches_(kPaths == kAllPaths && walk.step().past_caches),
+        pairs_fit_(sizeof(Cell) == 1 && 2 * walk.step().p2 <= kInfinite<Cell>),
+        always_room_(walk.step().always_room),
+        p2_(static_cast<Cell>(walk.step().p2)),
+        cost_weight_(static_cast<std::uint16_t>(walk.step().cost_weight)),
+        cost_(walk.costs() + line.plan.offset[k]),
+        next_cost_(walk.costs() + line.plan.offset[k + LinePlan::kAhead]),
+        sums_(walk.sums() + line.plan.offset[k]),
+        next_sums_(walk.sums() + line.plan.offset[k + LinePlan::kAhead]),
+        classes_(nullptr) {
+    if constexpr (kClasses)
+      classes_ = walk.match_classes(line, line.plan.first + k, line.plan.begin[k]);
+  }
 
-  HWY_INLINE void run(const PassWalk<Cell>& walk, const WalkedLine<Cell>& line) {
-    const auto terms = walk.template terms<kPaths, kTerms>(line, pixel_, first_path_);
-    const auto path = [&](int k) HWY_ATTR {
-      return PathInRegisters<D, kTerms, kClasses>(terms.data() + k * kTerms,
-                                                  line.costs[first_path_ + k] + pixel_.first);
+  /// `found` are the terms of all paths if they are not as usual, else null.
+  HWY_INLINE void run(const PassWalk<Cell>& walk, WalkedLine<Cell>& line, int k,
+                      const Term<Cell>* found) {
+    const std::ptrdiff_t u = line.plan.first + k;
+    const auto term = [&](int path, int t) HWY_ATTR {
+      const int step = (kFirst + path) * kTerms + t;
+      if (found != nullptr) return found[step];
+      return Term<Cell>{line.back_costs[step] + line.plan.back[step][k],
+                        line.back[step].least + u * kAllPaths + (kFirst + path), step,
+                        line.penalties[step]};
     };
+    const auto path = [&](int p) HWY_ATTR {
+      return PathInRegisters<D, kTerms, kClasses>(term(p, 0), term(p, kTerms - 1),
+                                                  line.costs[kFirst + p] + line.plan.own[k]);
+    };
+    Repeated* const least = line.pixels.least + u * kAllPaths + kFirst;
     if constexpr (kPaths == 1) {
-      run_paths(path(0));
+      run_paths(walk, least, path(0));
     } else if constexpr (kPaths == 2) {
-      run_paths(path(0), path(1));
+      run_paths(walk, least, path(0), path(1));
     } else {
-      run_paths(path(0), path(1), path(2), path(3));
+      run_paths(walk, least, path(0), path(1), path(2), path(3));
     }
   }
 
  private:
   template <class... Paths>
-  HWY_INLINE void run_paths(Paths... paths) {
+  HWY_INLINE void run_paths(const PassWalk<Cell>& walk, Repeated* all_least, Paths... paths) {
     extend(D(), 0, paths...);
-    const decltype(folded(D(), hn::Zero(D()))) folds[] = {paths.folded_least()...};
-    (std::memset(paths.costs() + pixel_.room, 0xFF, VolumeShape::kGranule * sizeof(Cell)), ...);
-    const hn::FixedTag<Cell, kPaths> d;
-    const auto least = least_lanes<Cell>(folds);
-    hn::StoreU(least, d, pixel_.least + first_path_);
-    const auto with_p2 = hn::SaturatedAdd(least, hn::Set(d, static_cast<Cell>(pass_.p2)));
-    const auto infinite = hn::Set(d, kInfinite<Cell>);
-    const auto too_large = hn::AndNot(hn::Eq(least, infinite), hn::Eq(with_p2, infinite));
-    if (HWY_UNLIKELY(!hn::AllFalse(d, too_large))) {
-      int k = first_path_;
-      (make_room(paths.costs(), pixel_.least[k++]), ...);
+    (std::memset(paths.costs() + room_, 0xFF, VolumeShape::kGranule * sizeof(Cell)), ...);
+    const hn::FixedTag<Cell, 16 / sizeof(Cell)> d;
+    const auto least = least_lanes(D(), paths.least()...);
+    store_repeated<kPaths>(least, all_least);
+    if (always_room_) return;
+    const hn::FixedTag<Cell, kPaths> dp;
+    const auto few = first_lanes(dp, d, least);
+    const auto with_p2 = hn::SaturatedAdd(few, hn::Set(dp, p2_));
+    const auto infinite = hn::Set(dp, kInfinite<Cell>);
+    const auto too_large = hn::AndNot(hn::Eq(few, infinite), hn::Eq(with_p2, infinite));
+    if (HWY_UNLIKELY(!hn::AllFalse(dp, too_large))) {
+      int p = 0;
+      (make_room(walk, paths.costs(), all_least[p++]), ...);
     }
   }
 
-  HWY_INLINE void make_room(Cell* costs, Cell& least) const {
-    if (!has_room_for_p2(least, pass_)) lower(costs, pixel_.room, least);
+  HWY_INLINE void make_room(const PassWalk<Cell>& walk, Cell* costs, Repeated& least) const {
+    const Cell cost = least.template as<Cell>();
+    if (has_room_for_p2(cost, walk.step())) return;
+    lower(costs, room_, cost);
+    least = Repeated();
   }
 
   template <class Block, class... Paths>
   HWY_INLINE void extend(Block d, int i, Paths&... paths) {
-    constexpr int kLanes = static_cast<int>(hn::MaxLanes(Block()));
-    for (; i + kLanes <= pixel_.room; i += kLanes) extend_block(d, i, paths...);
-    if constexpr (kLanes > VolumeShape::kGranule) extend(hn::Half<Block>(), i, paths...);
+    if constexpr (kMasks) {
+      for (; i < room_; i += kLanes<Block>) extend_block(d, i, paths...);
+    } else {
+      for (; i + kLanes<Block> <= room_; i += kLanes<Block>) extend_block(d, i, paths...);
+      if constexpr (kLanes < Block >> VolumeShape::kGranule) extend(hn::Half<Block>(), i, paths...);
+    }
   }
 
   template <class Block, class... Paths>
   HWY_INLINE void extend_block(Block d, int i, Paths&... paths) {
-    if (first_path_ == 0) prefetch(d, i);
-    const auto cost = load_cost(d, pixel_.cost + i, pass_.bits, pixel_.count - i);
-    const auto classes = load_classes<kClasses>(d, pixel_.classes, i);
+    if constexpr (kFirst == 0) prefetch(d, i);
+    const auto cost = load_cost(d, cost_ + i, bits_, count_ - i);
+    const auto classes = load_classes<kClasses>(d, classes_, i);
     const hn::VFromD<Block> brought[kPaths] = {paths.extend(d, cost, classes, i)...};
     Sums<Block> sums;
-    for (int k = 0; k < kPaths; ++k) {
+    for (int p = 0; p < kPaths; ++p) {
       if (kPaths > 1 && pairs_fit_) {
-        sums.add(d, hn::Add(brought[k], brought[k + 1]));
-        ++k;
+        sums.add(d, hn::Add(brought[p], brought[p + 1]));
+        ++p;
       } else {
-        sums.add(d, brought[k]);
+        sums.add(d, brought[p]);
       }
     }
     if (begins_sums_) {
-      sums.begin(d, cost, static_cast<std::uint16_t>(pass_.cost_weight), past_caches_,
-                 pixel_.sums + i);
+      sums.begin(d, cost, cost_weight_, past_caches_, sums_ + i, room_ - i);
     } else {
-      sums.add_to(pixel_.sums + i);
+      sums.add_to(sums_ + i, room_ - i);
     }
   }
 
+  /// Passes along columns get no help by what processors foresee.
   template <class Block>
   HWY_INLINE void prefetch(Block, int i) const {
-    constexpr std::size_t kCellsOfCacheLine = 64 / sizeof(std::uint16_t);
-    hwy::Prefetch(pixel_.next_cost + i);
+    constexpr int kCellsOfCacheLine = 64 / sizeof(std::uint16_t);
+    hwy::Prefetch(next_cost_ + i);
     if (past_caches_) return;
-    for (std::size_t cell = 0; cell < hn::MaxLanes(Block()); cell += kCellsOfCacheLine)
-      hwy::Prefetch(pixel_.next_sums + i + cell);
+    for (int cell = 0; cell < kLanes<Block>; cell += kCellsOfCacheLine)
+      hwy::Prefetch(next_sums_ + i + cell);
   }
 
   // Copies, for the reason that TermInRegisters gives.
-  const PassStep pass_;
-  const WalkedPixel<Cell> pixel_;
-  int first_path_;
-  bool begins_sums_, past_caches_, pairs_fit_;
+  const int room_, count_, bits_;
+  const bool begins_sums_, past_caches_, pairs_fit_, always_room_;
+  const Cell p2_;
+  const std::uint16_t cost_weight_;
+  const std::uint8_t *const cost_, *const next_cost_;
+  std::uint16_t *const sums_, *const next_sums_;
+  const std::uint8_t* classes_;
 };
 
-/// All paths of a pixel in groups. Short slices in short vectors, whose minima are found sooner.
-template <class Cell, int kGroup, int kTerms, bool kClasses>
-struct InVectors {
-  static HWY_INLINE void extend(const PassWalk<Cell>& walk, const WalkedLine<Cell>& line,
-                                const WalkedPixel<Cell>& pixel) {
-    const hn::CappedTag<Cell, 64 / sizeof(Cell)> widest;
-    if constexpr (sizeof(Cell) == 1 && hn::MaxLanes(widest) > 32) {
-      const hn::Half<decltype(widest)> half;
-      if (pixel.room < 64) return extend_groups(half, walk, line, pixel);
+/// All paths of a pixel, in groups that fit the registers.
+template <class Cell, int kPaths, int kTerms, bool kClasses>
+class InVectors {
+ public:
+  /// Completes the plan: a few instructions for many pixels at a time.
+  static HWY_INLINE void look_back(const PassStep&, WalkedLine<Cell>& line) {
+    const hn::CappedTag<int, LinePlan::kPixels> d;
+    LinePlan& plan = line.plan;
+    for (int k = 0; k < LinePlan::kPixels; k += kLanes<decltype(d)>) {
+      const auto begin = hn::LoadU(d, plan.begin + k);
+      const auto before = hn::Sub(begin, hn::Set(d, 1));
+      const auto end = hn::Add(begin, hn::LoadU(d, plan.room + k));
+      auto odd = hn::Zero(d);
+      for (int t = 0; t < kPaths * kTerms; ++t) {
+        const LinePixels<Cell> back = line.back[t].at(plan.first + k);
+        hn::StoreU(hn::Add(hn::LoadU(d, back.zero), begin), d, plan.back[t] + k);
+        odd = hn::Or(odd, hn::Or(hn::Sub(before, hn::LoadU(d, back.from)),
+                                 hn::Sub(hn::LoadU(d, back.to), end)));
+      }
+      hn::StoreU(odd, d, plan.odd + k);
     }
-    extend_groups(widest, walk, line, pixel);
+  }
+
+  static HWY_INLINE void extend(const PassWalk<Cell>& walk, WalkedLine<Cell>& line, int k) {
+    walk.find_penalties(line, k);
+    const Term<Cell>* found = nullptr;
+    if (HWY_UNLIKELY(!all_usual(line, k))) found = walk.find_terms(line, k);
+    // Short slices in short vectors, whose minima are found sooner.
+    const hn::CappedTag<Cell, 64 / sizeof(Cell)> widest;
+    if constexpr (kMasks) {
+      const hn::Half<decltype(widest)> half;
+      if (line.plan.room[k] <= kLanes<decltype(half)>)
+        return extend_groups<0>(half, walk, line, k, found);
+    }
+    extend_groups<0>(widest, walk, line, k, found);
   }
 
  private:
-  template <class D>
-  static HWY_INLINE void extend_groups(D, const PassWalk<Cell>& walk, const WalkedLine<Cell>& line,
-                                       const WalkedPixel<Cell>& pixel) {
-    const int paths = walk.step().paths;
-    for (int k = 0; k < paths; k += kGroup)
-      Group<D, kGroup, kTerms, kClasses>(walk.step(), pixel, k).run(walk, line);
+  static constexpr int kMostTogether = kTerms == 1 || (kMasks && !kClasses) ? 4 : 2;
+  static constexpr int kTogether = kPaths < kMostTogether ? kPaths : kMostTogether;
+
+  /// Whether all terms count and are in one piece, as they usually do. One branch for all of them:
+  /// guessing each wrong costs as much as guessing all.
+  static HWY_INLINE bool all_usual(const WalkedLine<Cell>& line, int k) {
+    if (line.plan.odd[k] < 0) return false;
+    if constexpr (kTerms == 1) return true;
+    bool some_lost = false;
+    for (const std::atomic<bool>* line_lost : line.any_lost)
+      some_lost |= line_lost->load(std::memory_order_relaxed);
+    if (HWY_LIKELY(!some_lost)) return true;
+    int lost = 0;
+    for (int t = 0; t < kPaths * kTerms; ++t) lost |= line.back[t].lost[line.plan.first + k];
+    return lost == 0;
+  }
+
+  template <int kFirst, class D>
+  static HWY_INLINE void extend_groups(D d, const PassWalk<Cell>& walk, WalkedLine<Cell>& line,
+                                       int k, const Term<Cell>* found) {
+    Group<D, kFirst, kTogether, kPaths, kTerms, kClasses>(walk, line, k).run(walk, line, k, found);
+    if constexpr (kFirst + kTogether < kPaths) {
+      extend_groups<kFirst + kTogether>(d, walk, line, k, found);
+    } else if constexpr (kTerms == 2) {
+      const int u = line.plan.first + k;
+      const Repeated least = line.pixels.least[u * kPaths];
+      if (HWY_UNLIKELY(least.template as<Cell>() == kInfinite<Cell>)) line.pixels.lose(u);
+    }
   }
 };
 
+/// Numbers of paths that occur have a kernel of their own.
 template <class Cell, int kTerms, bool kClasses>
-Advance<Cell> choose_group(int paths) {
-  // Four paths of two terms do not fit the registers.
-  if constexpr (kTerms == 1) {
-    if (paths % 4 == 0) return advance<InVectors<Cell, 4, kTerms, kClasses>, Cell>;
-  }
-  if (paths % 2 == 0) return advance<InVectors<Cell, 2, kTerms, kClasses>, Cell>;
-  return advance<InVectors<Cell, 1, kTerms, kClasses>, Cell>;
+Advance<Cell> choose_paths(int paths) {
+  constexpr int kFew = 2 / kTerms;  // of 4, 8 and 16 directions in two passes or in four
+  if (paths == kFew) return advance<InVectors<Cell, kFew, kTerms, kClasses>, Cell>;
+  if (paths == 2 * kFew) return advance<InVectors<Cell, 2 * kFew, kTerms, kClasses>, Cell>;
+  if (paths == 4 * kFew) return advance<InVectors<Cell, 4 * kFew, kTerms, kClasses>, Cell>;
+  return advance<Plainly, Cell>;
 }
 
 template <class Cell, int kTerms>
 Advance<Cell> choose_classes(const PassStep& pass) {
-  return pass.match_classes == 1 ? choose_group<Cell, kTerms, false>(pass.paths)
-                                 : choose_group<Cell, kTerms, true>(pass.paths);
+  return pass.match_classes == 1 ? choose_paths<Cell, kTerms, false>(pass.paths)
+                                 : choose_paths<Cell, kTerms, true>(pass.paths);
 }
 
 template <class Cell>

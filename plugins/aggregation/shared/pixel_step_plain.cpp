@@ -7,78 +7,85 @@
 namespace xgm::aggregation {
 namespace {
 
+/// What is the same for all disparities of a pixel.
 template <class Cell>
-int match_class_of(const PassStep& pass, const WalkedPixel<Cell>& pixel, int step, int i) {
-  if (pass.match_classes == 1) return 0;
-  return pass.class_plane == 0 ? pixel.classes[i] >> step & 1
-                               : pixel.classes[step * pass.class_plane + i];
-}
+struct Pixel {
+  const PassStep& pass;
+  const Term<Cell>* terms;
+  const std::uint8_t* classes;  ///< match classes
 
-template <class Cell>
-int brought_by(const PassStep& pass, const WalkedPixel<Cell>& pixel, const Term<Cell>& term,
-               int i) {
-  const int match_class = match_class_of(pass, pixel, term.step, i);
-  const StepPenalties<Cell>& penalties = term.penalties[match_class];
-  const int same = term.previous[i];
-  const int beside = std::min(term.previous[i - 1], term.previous[i + 1]);
-  const int far = *term.least + penalties.p2;
-  return std::min({same, beside + penalties.p1, far}) - *term.least;
-}
+  int match_class(int step, int i) const {
+    if (pass.match_classes == 1) return 0;
+    return pass.class_plane == 0 ? classes[i] >> step & 1 : classes[step * pass.class_plane + i];
+  }
 
-/// Of a path.
-template <class Cell>
-int brought_by(const PassStep& pass, const WalkedPixel<Cell>& pixel, const Term<Cell>* terms,
-               int i) {
-  const int first = brought_by(pass, pixel, terms[0], i);
-  if (pass.terms == 1) return first;
-  const int twice = first + brought_by(pass, pixel, terms[1], i);
-  const int down = twice / 2;
-  return down + (twice & down & 1);
-}
+  int brought_by(const Term<Cell>& term, int i) const {
+    const StepPenalties& penalties = term.penalties[match_class(term.step, i)];
+    const int least = term.least->template as<Cell>();
+    const int same = term.previous[i];
+    const int beside = std::min(term.previous[i - 1], term.previous[i + 1]);
+    const int far = least + penalties.p2.template as<Cell>();
+    return std::min({same, beside + penalties.p1.template as<Cell>(), far}) - least;
+  }
+
+  int brought_by_path(int path, int i) const {
+    const int first = brought_by(terms[path * pass.terms], i);
+    if (pass.terms == 1) return first;
+    const int twice = first + brought_by(terms[path * pass.terms + 1], i);
+    const int down = twice / 2;
+    return down + (twice & down & 1);
+  }
+};
 
 }  // namespace
 
 template <class Cell>
-void lower(Cell* costs, int room, Cell& least) {
+void lower(Cell* costs, int room, Cell least) {
   for (int i = 0; i < room; ++i) {
     if (costs[i] != kInfinite<Cell>) costs[i] = static_cast<Cell>(costs[i] - least);
   }
-  least = 0;
 }
 
 template <class Cell>
-void extend_plain(const PassWalk<Cell>& walk, const WalkedLine<Cell>& line,
-                  const WalkedPixel<Cell>& pixel) {
+void extend_plain(const PassWalk<Cell>& walk, WalkedLine<Cell>& line, int k) {
   const PassStep& pass = walk.step();
-  Term<Cell> terms[kMostSteps];
-  walk.find_terms(line, pixel.u, pixel.begin, pixel.room, 0, pass.paths, terms);
-  const auto costs = [&](int path) { return line.costs[path] + pixel.first; };
-  Cell* const least = pixel.least;
-  std::fill_n(least, pass.paths, kInfinite<Cell>);
-  for (int i = 0; i < pixel.room; ++i) {
-    const bool matchable = i < pixel.count && pixel.cost[i] != CostVolume::kNoMatch;
+  const LinePlan& plan = line.plan;
+  const int u = plan.first + k, room = plan.room[k];
+  walk.find_penalties(line, k);
+  const Pixel<Cell> pixel{pass, walk.find_terms(line, k),
+                          walk.match_classes(line, u, plan.begin[k])};
+  const std::uint8_t* const cost = walk.costs() + plan.offset[k];
+  std::uint16_t* const sums = walk.sums() + plan.offset[k];
+  const auto costs = [&](int path) { return line.costs[path] + plan.own[k]; };
+  Cell least[kMostPaths];
+  std::fill_n(least, kMostPaths, kInfinite<Cell>);
+  for (int i = 0; i < room; ++i) {
+    const bool matchable = i < plan.count[k] && cost[i] != CostVolume::kNoMatch;
     int sum = 0;
-    for (int k = 0; k < pass.paths; ++k) {
-      const int brought = brought_by(pass, pixel, terms + k * pass.terms, i);
-      const int cost = matchable ? (pixel.cost[i] << pass.bits) + brought : kInfinite<Cell>;
-      costs(k)[i] = static_cast<Cell>(cost);
-      least[k] = std::min(least[k], static_cast<Cell>(cost));
+    for (int path = 0; path < pass.paths; ++path) {
+      const int brought = pixel.brought_by_path(path, i);
+      const int extended = matchable ? (cost[i] << pass.bits) + brought : kInfinite<Cell>;
+      costs(path)[i] = static_cast<Cell>(extended);
+      least[path] = std::min(least[path], static_cast<Cell>(extended));
       sum += brought;
     }
-    sum += pass.first ? (pass.cost_weight * pixel.cost[i]) << pass.bits : pixel.sums[i];
-    pixel.sums[i] = matchable ? static_cast<std::uint16_t>(sum) : AggregatedVolume::kNoMatch;
+    sum += pass.first ? (pass.cost_weight * cost[i]) << pass.bits : sums[i];
+    sums[i] = matchable ? static_cast<std::uint16_t>(sum) : AggregatedVolume::kNoMatch;
   }
-  for (int k = 0; k < pass.paths; ++k) {
-    if (!has_room_for_p2(least[k], pass)) lower(costs(k), pixel.room, least[k]);
-    std::fill_n(costs(k) + pixel.room, VolumeShape::kGranule, kInfinite<Cell>);
+  if (least[0] == kInfinite<Cell>) line.pixels.lose(u);
+  for (int path = 0; path < pass.paths; ++path) {
+    if (!has_room_for_p2(least[path], pass)) {
+      lower(costs(path), room, least[path]);
+      least[path] = 0;
+    }
+    line.pixels.least[std::ptrdiff_t{u} * pass.paths + path] = Repeated(least[path]);
+    std::fill_n(costs(path) + room, VolumeShape::kGranule, kInfinite<Cell>);
   }
 }
 
-template void lower(std::uint8_t*, int, std::uint8_t&);
-template void lower(std::uint16_t*, int, std::uint16_t&);
-template void extend_plain(const PassWalk<std::uint8_t>&, const WalkedLine<std::uint8_t>&,
-                           const WalkedPixel<std::uint8_t>&);
-template void extend_plain(const PassWalk<std::uint16_t>&, const WalkedLine<std::uint16_t>&,
-                           const WalkedPixel<std::uint16_t>&);
+template void lower(std::uint8_t*, int, std::uint8_t);
+template void lower(std::uint16_t*, int, std::uint16_t);
+template void extend_plain(const PassWalk<std::uint8_t>&, WalkedLine<std::uint8_t>&, int);
+template void extend_plain(const PassWalk<std::uint16_t>&, WalkedLine<std::uint16_t>&, int);
 
 }  // namespace xgm::aggregation

@@ -24,7 +24,7 @@ void run_pass(PassWalk<Cell>& walk, LineProgress& progress) {
       band.count = std::min(kBand, lines - v);
       for (int i = 0; i < band.count; ++i) {
         if (first == 0) walk.load_penalties(v + i);
-        band.lines[i] = walk.begin_line(v + i);
+        walk.begin_line(v + i, band.lines[i]);
       }
       advance(walk, band, first, last);
       if (last == length) progress.lines_finished(band.count);
