@@ -31,12 +31,18 @@ xgm::PenaltyPair adapted(const Parameters& p, double q, Orientation orientation)
   return {std::min(static_cast<int>(std::lround(p1)), p2), p2};
 }
 
+/// The largest float that is not above `bound`: floats compare with it as with `bound`, and faster.
+float as_float(double bound) {
+  const auto nearest = static_cast<float>(bound);
+  return nearest > bound ? std::nextafter(nearest, 0.0F) : nearest;
+}
+
 /// Two classes in each view: 0 where the intensity changes by tau at most, 1 where by more. The
 /// paper's cases overlap at D = tau; here it belongs to the first of them, D <= tau.
 class Field final : public xgm::PenaltyField {
  public:
   Field(const xgm::ImagePair& pair, const Parameters& p)
-      : base_(pair.base), match_(pair.match), parameters_(p) {}
+      : base_(pair.base), match_(pair.match), parameters_(p), tau_(as_float(p.tau)) {}
 
   xgm::PenaltyTable table(xgm::Direction r) const override {
     const Orientation orientation = xgm::two_image_gradient::orientation(r);
@@ -57,13 +63,13 @@ class Field final : public xgm::PenaltyField {
                 std::span<std::uint8_t> classes) const {
     std::vector<float> changes(classes.size());
     view.differences(r, y, changes);
-    std::transform(changes.begin(), changes.end(), classes.begin(), [this](float change) {
-      return static_cast<std::uint8_t>(change > parameters_.tau);
-    });
+    std::transform(changes.begin(), changes.end(), classes.begin(),
+                   [tau = tau_](float change) { return static_cast<std::uint8_t>(change > tau); });
   }
 
   xgm::penalty::GreyView base_, match_;
   Parameters parameters_;
+  float tau_;
 };
 
 class TwoImageGradient final : public xgm::Penalty {
