@@ -15,8 +15,8 @@ struct LinePlan {
   static constexpr int kPixels = 32;
   static constexpr int kAhead = 4;  ///< pixels, for what is fetched ahead
 
-  /// Never those that penalties are known for.
-  static constexpr int kUnknown = -2;
+  static constexpr int kNone = -1;     ///< base classes of no pixel
+  static constexpr int kUnknown = -2;  ///< those of a pixel whose classes have to be looked up
 
   int first;  ///< pixel of the line that the elements 0 are of
 
@@ -25,7 +25,7 @@ struct LinePlan {
   /// there is nothing to do about this pixel, or no such pixel.
   int room[kPixels];
   std::int64_t offset[kPixels + kAhead];  ///< of the slice in volumes
-  int base_classes[kPixels];              ///< of all steps, if packed; else kUnknown
+  int base_classes[kPixels];              ///< of all steps, if they are in one byte
   int own[kPixels];                       ///< cell of the line's path costs that it begins with
   /// The same of what a step looks back at: cell that disparity `begin` has there.
   int back[kMostSteps][kPixels];

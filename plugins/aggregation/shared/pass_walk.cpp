@@ -104,17 +104,18 @@ void PassWalk<Cell>::begin_line(int v, Line& line) {
     line.back_costs[t] = lines_.costs(v - steps_[t].across, static_cast<int>(t) / step_.terms);
   }
   for (int path = 0; path < step_.paths; ++path) line.costs[path] = lines_.costs(v, path);
-  line.known_classes = -1;
+  line.known_classes = LinePlan::kNone;
 }
 
 template <class Cell>
-void PassWalk<Cell>::plan(Line& line, int first, int last) {
+bool PassWalk<Cell>::plan(Line& line, int first, int last) {
   LinePlan& plan = line.plan;
   plan.first = first;
   const int from = std::clamp(-first, 0, last - first);
   const int to = std::clamp(frame_.length() - first, from, last - first);
   std::fill(plan.room, plan.room + from, 0);
   std::fill(plan.room + to, plan.room + LinePlan::kPixels, 0);
+  if (from == to) return false;
   const int dy = frame_.along().dy;
   const Strided<VolumeShape::Slice> slices = line.slices;
   for (int k = from; k < to; ++k) {
@@ -126,20 +127,26 @@ void PassWalk<Cell>::plan(Line& line, int first, int last) {
     plan.room[k] = VolumeShape::rounded_up(slice.count);
     plan.offset[k] = shape_.offset(line.start.y + (first + k) * dy, slice);
   }
-  if (penalties_.base().count() == 1) {
-    std::fill(plan.base_classes + from, plan.base_classes + to, 0);
-  } else if (!penalties_.base().packed()) {
-    std::fill(plan.base_classes + from, plan.base_classes + to, LinePlan::kUnknown);
-  } else {
-    const Strided<std::uint8_t> classes = line.base_classes;
-    for (int k = from; k < to; ++k) {
-      __builtin_prefetch(classes.at(first + k + LinePlan::kPixels));
-      plan.base_classes[k] = *classes.at(first + k);
-    }
-  }
   for (int k = to; k < to + LinePlan::kAhead; ++k)
     plan.offset[k] = offset_of(line, std::min(first + k, frame_.length() - 1));
-  if (from < to) lines_.open(line.v, plan, from, to);
+  lines_.open(line.v, plan, from, to);
+  plan_classes(line, from, to);
+  return true;
+}
+
+template <class Cell>
+void PassWalk<Cell>::plan_classes(Line& line, int from, int to) const {
+  int* const planned = line.plan.base_classes;
+  const PixelClasses& base = penalties_.base();
+  if (base.count() == 1 || !base.packed()) {
+    std::fill(planned + from, planned + to, base.count() == 1 ? 0 : LinePlan::kUnknown);
+    return;
+  }
+  const Strided<std::uint8_t> classes = line.base_classes;
+  for (int k = from; k < to; ++k) {
+    __builtin_prefetch(classes.at(line.plan.first + k + LinePlan::kPixels));
+    planned[k] = *classes.at(line.plan.first + k);
+  }
 }
 
 template <class Cell>
@@ -147,7 +154,8 @@ void PassWalk<Cell>::change_penalties(Line& line, int k) const {
   const PixelClasses& base = penalties_.base();
   const std::uint8_t* const classes =
       base.count() > 1 ? line.base_classes.at(line.plan.first + k) : nullptr;
-  line.known_classes = std::max(-1, line.plan.base_classes[k]);
+  const int planned = line.plan.base_classes[k];
+  line.known_classes = planned == LinePlan::kUnknown ? LinePlan::kNone : planned;
   const StepPenalties* penalties = penalties_.tables();
   const int row = penalties_.match().count(), table = base.count() * row;
   for (int t = 0; t < static_cast<int>(steps_.size()); ++t, penalties += table)

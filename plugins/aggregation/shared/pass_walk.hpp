@@ -45,7 +45,7 @@ struct WalkedLine {
   const Cell* back_costs[kMostSteps];                ///< of its line and path
   Cell* costs[kMostPaths];                           ///< of this line
   const StepPenalties* penalties[kMostSteps];        ///< of each step, by match class
-  int known_classes;             ///< plan.base_classes that these belong to; -1: none
+  int known_classes;                                 ///< those of the plan that these belong to
   Cell* scratch;                 ///< a slice per step, should it have to be joined
   Term<Cell> terms[kMostSteps];  ///< of a pixel where not all is as usual
 };
@@ -71,10 +71,10 @@ class PassWalk {
   void load_penalties(int v);
   void begin_line(int v, Line& line);
 
-  /// Plans pixels first..last - 1 of a line, LinePlan::kPixels at most; those that do not exist get
-  /// no room. What they look back at is left out: see look_back(). All pixels of a line are planned
+  /// Plans pixels first..last - 1 of a line, LinePlan::kPixels at most, but for what they look back
+  /// at. Those that do not exist get no room; false if none does. All pixels of a line are planned
   /// one after the other.
-  void plan(Line& line, int first, int last);
+  bool plan(Line& line, int first, int last);
 
   const std::uint8_t* costs() const { return costs_.data(); }
   std::uint16_t* sums() const { return sums_.data(); }
@@ -108,6 +108,7 @@ class PassWalk {
   std::int64_t offset_of(const Line& line, int u) const {
     return shape_.offset(line.start.y + u * frame_.along().dy, *line.slices.at(u));
   }
+  void plan_classes(Line& line, int from, int to) const;
   void change_penalties(Line& line, int k) const;
   /// L(previous, .) where it does not hold all of these: copied in between more infinite costs.
   static const Cell* joined(int begin, int room, const Pixels& previous, const Cell* costs,

@@ -10,7 +10,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "plugins/aggregation/shared/blocks-inl.hpp"
+#include "plugins/aggregation/shared/blocks_inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace xgm::aggregation::HWY_NAMESPACE {
@@ -23,8 +23,7 @@ void advance(PassWalk<Cell>& walk, Band<Cell>& band, int first, int last) {
     const int pixels = last - from < LinePlan::kPixels ? last - from : LinePlan::kPixels;
     for (int i = 0; i < count; ++i) {
       const int own = from - i * lag;
-      walk.plan(band.lines[i], own, own + pixels);
-      Extend::look_back(walk.step(), band.lines[i]);
+      if (walk.plan(band.lines[i], own, own + pixels)) Extend::look_back(band.lines[i]);
     }
     for (int k = 0; k < pixels; ++k) {
       for (int i = 0; i < count; ++i) {
@@ -38,7 +37,7 @@ void advance(PassWalk<Cell>& walk, Band<Cell>& band, int first, int last) {
 
 struct Plainly {
   template <class Cell>
-  static void look_back(const PassStep&, WalkedLine<Cell>&) {}
+  static void look_back(WalkedLine<Cell>&) {}
   template <class Cell>
   static void extend(const PassWalk<Cell>& walk, WalkedLine<Cell>& line, int k) {
     extend_plain(walk, line, k);
@@ -204,11 +203,12 @@ class Group {
 
   template <class Block, class... Paths>
   HWY_INLINE void extend(Block d, int i, Paths&... paths) {
+    constexpr int lanes = kLanes<Block>;
     if constexpr (kMasks) {
-      for (; i < room_; i += kLanes<Block>) extend_block(d, i, paths...);
+      for (; i < room_; i += lanes) extend_block(d, i, paths...);
     } else {
-      for (; i + kLanes<Block> <= room_; i += kLanes<Block>) extend_block(d, i, paths...);
-      if constexpr (kLanes < Block >> VolumeShape::kGranule) extend(hn::Half<Block>(), i, paths...);
+      for (; i + lanes <= room_; i += lanes) extend_block(d, i, paths...);
+      if constexpr (lanes > VolumeShape::kGranule) extend(hn::Half<Block>(), i, paths...);
     }
   }
 
@@ -259,7 +259,7 @@ template <class Cell, int kPaths, int kTerms, bool kClasses>
 class InVectors {
  public:
   /// Completes the plan: a few instructions for many pixels at a time.
-  static HWY_INLINE void look_back(const PassStep&, WalkedLine<Cell>& line) {
+  static HWY_INLINE void look_back(WalkedLine<Cell>& line) {
     const hn::CappedTag<int, LinePlan::kPixels> d;
     LinePlan& plan = line.plan;
     for (int k = 0; k < LinePlan::kPixels; k += kLanes<decltype(d)>) {
