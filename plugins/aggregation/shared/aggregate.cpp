@@ -10,26 +10,25 @@ namespace {
 
 /// Sums of which the caches keep nothing until the next pass comes to them need not be read to be
 /// begun, if they are written in whole cache lines.
-bool begin_past_caches(const AggregatedVolume& sums) {
-  constexpr std::size_t kLargerThanCaches = std::size_t{128} << 20;
+bool begin_past_caches(const AggregatedVolume& sums, std::size_t larger_than_caches) {
   const VolumeShape& shape = sums.shape();
   const int room = VolumeShape::rounded_up(shape.max_count());
   const bool dense = shape.cells() == std::int64_t{shape.width()} * shape.height() * room;
   const bool whole_lines =
       static_cast<std::size_t>(room) * sizeof(std::uint16_t) % kCellAlignment == 0;
-  return dense && whole_lines && sums.bytes() >= kLargerThanCaches;
+  return dense && whole_lines && sums.bytes() >= larger_than_caches;
 }
 
 template <class Cell>
 void run_passes(const CostVolume& costs, const PenaltyField& penalties,
-                const std::vector<Pass>& passes, const Bounds& bounds, AggregatedVolume& sums,
-                const Context& context) {
+                const std::vector<Pass>& passes, const Bounds& bounds, bool past_caches,
+                AggregatedVolume& sums, const Context& context) {
   const PathLayout layout(costs.shape(), sizeof(Cell));
   const double share = 1.0 / static_cast<double>(passes.size());
   for (std::size_t i = 0; i < passes.size(); ++i) {
     PassStep step;
     step.first = i == 0;
-    step.past_caches = step.first && begin_past_caches(sums);
+    step.past_caches = step.first && past_caches;
     step.bits = sums.fraction_bits;
     step.cost_weight = bounds.cost_weight;
     step.p2 = bounds.p2 << step.bits;
@@ -58,10 +57,11 @@ AggregatedVolume aggregate_paths(const CostVolume& costs, const PenaltyField& pe
   const Bounds bounds = find_bounds(costs, penalties, passes, options.overcounting_correction);
   AggregatedVolume sums(costs.shape_ptr(), choose_fraction_bits(bounds));
   if (costs.shape().cells() == 0) return sums;
+  const bool past_caches = begin_past_caches(sums, options.larger_than_caches);
   if (use_8_bit(options.width, bounds, sums.fraction_bits))
-    run_passes<std::uint8_t>(costs, penalties, passes, bounds, sums, context);
+    run_passes<std::uint8_t>(costs, penalties, passes, bounds, past_caches, sums, context);
   else
-    run_passes<std::uint16_t>(costs, penalties, passes, bounds, sums, context);
+    run_passes<std::uint16_t>(costs, penalties, passes, bounds, past_caches, sums, context);
   return sums;
 }
 

@@ -2,6 +2,7 @@
 // Path-wise aggregation: all passes over a cost volume. What sgm and mgm have in common.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "plugins/aggregation/shared/pass.hpp"
@@ -20,6 +21,9 @@ struct AggregationOptions {
   /// Counts C once, not once per path: S - (N - 1) C.
   bool overcounting_correction = true;
   PathCostWidth width = PathCostWidth::automatic;
+  /// Bytes of sums of which the caches keep nothing until the next pass; if they have more, they
+  /// are begun past them.
+  std::size_t larger_than_caches = std::size_t{128} << 20;
 };
 
 /// S(p, d) = sum over all paths of L_r(p, d), with

@@ -15,6 +15,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace xgm::aggregation::HWY_NAMESPACE {
 
+/// How many pixels ahead the first line of a band fetches what it looks back at: the band before
+/// may have been another thread's, and lie in the cache of another core.
+constexpr int kFetchedAhead = 6;
+
 /// Extends with `Extend` at each pixel.
 template <class Extend, class Cell>
 void advance(PassWalk<Cell>& walk, Band<Cell>& band, int first, int last) {
@@ -26,6 +30,7 @@ void advance(PassWalk<Cell>& walk, Band<Cell>& band, int first, int last) {
       if (walk.plan(band.lines[i], own, own + pixels)) Extend::look_back(band.lines[i]);
     }
     for (int k = 0; k < pixels; ++k) {
+      if (k + kFetchedAhead < pixels) Extend::fetch_back(band.lines[0], k + kFetchedAhead);
       for (int i = 0; i < count; ++i) {
         if (band.lines[i].plan.room[k] > 0) Extend::extend(walk, band.lines[i], k);
       }
@@ -38,6 +43,8 @@ void advance(PassWalk<Cell>& walk, Band<Cell>& band, int first, int last) {
 struct Plainly {
   template <class Cell>
   static void look_back(WalkedLine<Cell>&) {}
+  template <class Cell>
+  static void fetch_back(const WalkedLine<Cell>&, int) {}
   template <class Cell>
   static void extend(const PassWalk<Cell>& walk, WalkedLine<Cell>& line, int k) {
     extend_plain(walk, line, k);
@@ -275,6 +282,13 @@ class InVectors {
       }
       hn::StoreU(odd, d, plan.odd + k);
     }
+  }
+
+  /// Of long slices, processors foresee the rest.
+  static HWY_INLINE void fetch_back(const WalkedLine<Cell>& line, int k) {
+    if (line.plan.odd[k] < 0 || line.plan.room[k] > 64) return;
+    for (int t = 0; t < kPaths * kTerms; ++t)
+      hwy::Prefetch(line.back_costs[t] + line.plan.back[t][k]);
   }
 
   static HWY_INLINE void extend(const PassWalk<Cell>& walk, WalkedLine<Cell>& line, int k) {

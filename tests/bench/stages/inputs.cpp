@@ -39,9 +39,16 @@ const Registry& builtins() {
 
 const ImagePair& pair() { return scene().pair; }
 
-VolumeShapePtr dense(int disparities) {
-  return std::make_shared<const VolumeShape>(
-      DisparityRange::uniform(pair().size(), {0, disparities}));
+ImagePair pair(cv::Size size) {
+  ImagePair corner = pair();
+  for (Image* image : {&corner.base, &corner.match}) {
+    for (auto& plane : image->planes) plane = plane(cv::Rect({0, 0}, size)).clone();
+  }
+  return corner;
+}
+
+VolumeShapePtr dense(int disparities, cv::Size size) {
+  return std::make_shared<const VolumeShape>(DisparityRange::uniform(size, {0, disparities}));
 }
 
 VolumeShapePtr ragged() {
@@ -69,7 +76,7 @@ std::int64_t cells_of(const VolumeShape& shape) {
 }
 
 CostVolume costs_of(const VolumeShapePtr& shape) {
-  return stage<Cost>("{type: census, window: 5}")->run(pair(), shape, {});
+  return stage<Cost>("{type: census, window: 5}")->run(pair(shape->size()), shape, {});
 }
 
 const MatchResult& maps() {

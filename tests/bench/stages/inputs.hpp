@@ -24,15 +24,18 @@ std::shared_ptr<const Kind> stage(const std::string& yaml) {
 
 /// 640 x 480, grey; all disparities are in [0, 64).
 const ImagePair& pair();
+/// Its upper left corner.
+ImagePair pair(cv::Size size);
 
 /// Cells that searching the first `disparities` of all pixels has.
-VolumeShapePtr dense(int disparities);
+VolumeShapePtr dense(int disparities, cv::Size size = pair().size());
 /// As a level of a pyramid has them: 24 to 40 disparities of 256 around the pixel's own, which
 /// changes slowly and jumps at edges.
 VolumeShapePtr ragged();
 /// Of the first so many pixels' cells; not those that only fill slices up.
 std::int64_t cells_of(const VolumeShape& shape);
 
+/// Of the corner of the pair that the shape is for.
 CostVolume costs_of(const VolumeShapePtr& shape);
 
 /// Left view's map of sgm8_one_view, and the right view's.

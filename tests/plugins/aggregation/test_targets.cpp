@@ -15,10 +15,12 @@ namespace {
 
 AggregatedVolume aggregate(const std::string& target, const CostVolume& costs,
                            const PenaltyField& penalties,
-                           const std::vector<aggregation::Pass>& passes, PathCostWidth width) {
+                           const std::vector<aggregation::Pass>& passes, PathCostWidth width,
+                           std::size_t larger_than_caches = std::size_t{1} << 30) {
   use_simd(target);
-  AggregatedVolume sums =
-      aggregation::aggregate_paths(costs, penalties, passes, {.width = width}, Context{});
+  AggregatedVolume sums = aggregation::aggregate_paths(
+      costs, penalties, passes, {.width = width, .larger_than_caches = larger_than_caches},
+      Context{});
   use_simd("");
   return sums;
 }
@@ -60,15 +62,22 @@ TEST_CASE("every SIMD target gives the same sums on ragged volumes") {
   }
 }
 
-TEST_CASE("every SIMD target gives the same sums on a volume larger than the caches") {
-  // Dense, in whole cache lines, of more than 128 MB: sums are begun in another way.
-  const auto shape = dense_shape({1000, 270}, {0, 256});
-  const CostVolume costs = random_costs(shape, 24, 9);
-  const ConstantPenalties penalties(10, 90);
-  const auto passes = sgm::passes(4);
-  const auto expected = aggregate("scalar", costs, penalties, passes, PathCostWidth::bits8);
-  for (const std::string& target : simd_targets()) {
-    CAPTURE(target);
-    CHECK(identical(aggregate(target, costs, penalties, passes, PathCostWidth::bits8), expected));
+TEST_CASE("sums that are begun past the caches are the same") {
+  // For dense volumes in whole cache lines.
+  for (const int disparities : {32, 96, 256}) {
+    const auto shape = dense_shape({50, 21}, {0, disparities});
+    const CostVolume costs = random_costs(shape, 24, 9);
+    const ConstantPenalties penalties(10, 90);
+    for (const int directions : {4, 16}) {
+      const auto passes = sgm::passes(directions);
+      const auto expected = aggregate("scalar", costs, penalties, passes, PathCostWidth::bits8);
+      for (const std::string& target : simd_targets()) {
+        for (const PathCostWidth width : {PathCostWidth::bits8, PathCostWidth::bits16}) {
+          CAPTURE(target);
+          CAPTURE(disparities);
+          CHECK(identical(aggregate(target, costs, penalties, passes, width, 0), expected));
+        }
+      }
+    }
   }
 }
