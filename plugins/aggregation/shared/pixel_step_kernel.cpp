@@ -286,7 +286,8 @@ class InVectors {
 
   /// Of long slices, processors foresee the rest.
   static HWY_INLINE void fetch_back(const WalkedLine<Cell>& line, int k) {
-    if (line.plan.odd[k] < 0 || line.plan.room[k] > 64) return;
+    const int room = line.plan.room[k];
+    if (room == 0 || room > 64 || line.plan.odd[k] < 0) return;
     for (int t = 0; t < kPaths * kTerms; ++t)
       hwy::Prefetch(line.back_costs[t] + line.plan.back[t][k]);
   }
