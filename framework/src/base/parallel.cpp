@@ -57,26 +57,64 @@ void wait_for(const Progress& progress, int pixels) {
   }
 }
 
+// The lines of both fronts, dealt to threads. A front's lines are taken in order and finished in
+// order, each by one thread: so all before a line are finished but those that other threads of the
+// front are at. Whoever waits, waits for lines that were taken before, so that one always goes on.
+class OpposedFronts {
+ public:
+  explicit OpposedFronts(int lines) : lines_(lines) {
+    for (auto& front : progress_) front = std::vector<Progress>(static_cast<std::size_t>(lines));
+  }
+
+  // The next line: of this front, or of the other one if that has no more and a thread less than
+  // it may have. False if there is none.
+  bool take(int front, int most_threads, Stretch& next) {
+    const std::scoped_lock lock(mutex_);
+    if (taken_[front] == lines_) front = 1 - front;
+    if (taken_[front] == lines_ || threads_[front] == most_threads) return false;
+    const int line = taken_[front]++;
+    ++threads_[front];
+    next = {front, line, taken_[1 - front] <= lines_ - 1 - line, 0, 0};
+    return true;
+  }
+  void finished(const Stretch& line) {
+    const std::scoped_lock lock(mutex_);
+    --threads_[line.front];
+  }
+  Progress& progress(int front, int line) {
+    return progress_[front][static_cast<std::size_t>(line)];
+  }
+  Progress& progress_of_other(const Stretch& at) {
+    return progress(1 - at.front, lines_ - 1 - at.line);
+  }
+
+ private:
+  int lines_;
+  std::mutex mutex_;
+  int taken_[2] = {0, 0}, threads_[2] = {0, 0};
+  std::vector<Progress> progress_[2];
+};
+
 }  // namespace
 
-void wavefront(int lines, int length, int lag,
-               const std::function<void(int line, int first, int last)>& body) {
+void opposed_wavefronts(int lines, int length, int lag,
+                        const std::function<void(const Stretch&)>& body) {
   if (lines <= 0 || length <= 0) return;
-  std::vector<Progress> progress(static_cast<std::size_t>(lines));
+  OpposedFronts fronts(lines);
 #pragma omp parallel
   {
-    // Lines are dealt in turn, so a thread's own line - thread_count is finished before its next
-    // one starts, and by the waits below everything above that line is, too.
-    const int step = omp_get_num_threads();
-    for (int line = omp_get_thread_num(); line < lines; line += step) {
-      Progress& own = progress[static_cast<std::size_t>(line)];
-      const Progress* above = line > 0 ? &own - 1 : nullptr;
-      for (int first = 0; first < length; first += kBlock) {
-        const int last = std::min(length, first + kBlock);
-        if (above != nullptr) wait_for(*above, std::min(length, last + lag));
-        body(line, first, last);
-        own.done.store(last, std::memory_order_release);
+    Stretch at{};
+    while (fronts.take(omp_get_thread_num() % 2, (omp_get_num_threads() + 1) / 2, at)) {
+      if (!at.new_line) wait_for(fronts.progress_of_other(at), length);
+      Progress& own = fronts.progress(at.front, at.line);
+      const Progress* above = at.line > 0 ? &own - 1 : nullptr;
+      for (; at.first < length; at.first = at.last) {
+        at.last = std::min(length, at.first + kBlock);
+        if (above != nullptr) wait_for(*above, std::min(length, at.last + lag));
+        body(at);
+        own.done.store(at.last, std::memory_order_release);
       }
+      fronts.finished(at);
     }
   }
 }

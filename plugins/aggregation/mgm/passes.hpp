@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// MGM's paths in four passes.
+// MGM's paths in two passes, and their opposites.
 #pragma once
 
 #include <algorithm>
@@ -20,13 +20,13 @@ static_assert(std::ranges::all_of(kQuarter, [](Direction r) {
          aggregation::comes_earlier(aggregation::anticlockwise(r), {1, 0}, {0, 1});
 }));
 
-/// Down the rows, right along the columns, up the rows, left along the columns. `directions`: 4, 8
-/// or 16.
+/// Down the rows, and right along the columns; the opposites go up the rows, and left.
+/// `directions`: 4, 8 or 16.
 inline std::vector<aggregation::Pass> passes(int directions) {
   std::vector<aggregation::Pass> all;
   std::array<Direction, 4> quarter = kQuarter;
   Direction along{1, 0}, across{0, 1};
-  for (int turn = 0; turn < 4; ++turn) {
+  for (int turn = 0; turn < 2; ++turn) {
     aggregation::Pass& pass = all.emplace_back(aggregation::Pass{along, across, {}});
     for (int i = 0; i < directions / 4; ++i) {
       const Direction r = quarter[static_cast<std::size_t>(i)];

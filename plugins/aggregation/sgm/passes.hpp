@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// SGM's paths in two passes over the rows.
+// SGM's paths in a pass over the rows, and its opposite.
 #pragma once
 
 #include <algorithm>
@@ -19,17 +19,13 @@ static_assert(std::ranges::all_of(kForward, [](Direction r) {
   return aggregation::comes_earlier(r, {1, 0}, {0, 1});
 }));
 
-/// One pass down the rows, from left to right, and one up, from right to left. `directions`: 4, 8
+/// Down the rows, from left to right; the opposite goes up, from right to left. `directions`: 4, 8
 /// or 16.
 inline std::vector<aggregation::Pass> passes(int directions) {
   aggregation::Pass forward{{1, 0}, {0, 1}, {}};
-  aggregation::Pass backward{{-1, 0}, {0, -1}, {}};
-  for (int i = 0; i < directions / 2; ++i) {
-    const Direction r = kForward[static_cast<std::size_t>(i)];
-    forward.paths.push_back({{r}});
-    backward.paths.push_back({{Direction{-r.dx, -r.dy}}});
-  }
-  return {forward, backward};
+  for (int i = 0; i < directions / 2; ++i)
+    forward.paths.push_back({{kForward[static_cast<std::size_t>(i)]}});
+  return {forward};
 }
 
 }  // namespace xgm::sgm

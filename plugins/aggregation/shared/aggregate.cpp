@@ -2,7 +2,7 @@
 #include "plugins/aggregation/shared/aggregate.hpp"
 
 #include "plugins/aggregation/shared/fixed_point.hpp"
-#include "plugins/aggregation/shared/run_pass.hpp"
+#include "plugins/aggregation/shared/run_both_ways.hpp"
 #include "xgm/base/error.hpp"
 
 namespace xgm::aggregation {
@@ -26,17 +26,19 @@ void run_passes(const CostVolume& costs, const PenaltyField& penalties,
   const PathLayout layout(costs.shape(), sizeof(Cell));
   const double share = 1.0 / static_cast<double>(passes.size());
   for (std::size_t i = 0; i < passes.size(); ++i) {
+    const auto [pass, opposite] = both_ways(passes[i]);
     PassStep step;
-    step.first = i == 0;
-    step.past_caches = step.first && past_caches;
+    step.past_caches = past_caches;
     step.bits = sums.fraction_bits;
     step.cost_weight = bounds.cost_weight;
     step.p2 = bounds.p2 << step.bits;
     step.always_room = ((bounds.max_cost + bounds.p2) << step.bits) + step.p2 < kInfinite<Cell>;
-    PassWalk<Cell> walk(costs, penalties, passes[i], layout, step, sums);
+    const int lines = PassFrame(costs.shape().size(), pass.along, pass.across).lines();
+    PassWalk<Cell> there(costs, penalties, pass, layout, step, sums, 0);
+    PassWalk<Cell> back(costs, penalties, opposite, layout, step, sums, first_line_back(lines));
     const double done = share * static_cast<double>(i);
-    LineProgress progress(context.part(done, done + share), walk.frame().lines());
-    run_pass(walk, progress);
+    LineProgress progress(context.part(done, done + share), 2 * lines);
+    run_both_ways(there, back, i == 0, progress);
   }
 }
 

@@ -34,13 +34,14 @@ Bounds find_bounds(const CostVolume& costs, const PenaltyField& penalties,
                    const std::vector<Pass>& passes, bool overcounting_correction) {
   Bounds bounds;
   bounds.max_cost = costs.max_cost;
-  for (const Pass& pass : passes) {
+  const auto include_pass = [&](const Pass& pass) {
     for (const Path& path : pass.paths) {
       ++bounds.paths;
       bounds.has_means = bounds.has_means || path.steps.size() > 1;
       for (const Direction step : path.steps) include_penalties(penalties.table(step), bounds);
     }
-  }
+  };
+  for (const Pass& pass : passes) std::ranges::for_each(both_ways(pass), include_pass);
   bounds.cost_weight = overcounting_correction ? 1 : bounds.paths;
   return bounds;
 }

@@ -19,7 +19,8 @@ struct Bounds {
   bool has_means = false;
 };
 
-/// Looks at the penalties of all steps. Throws Error unless 0 <= P1 <= P2 everywhere.
+/// Looks at the penalties of all steps, those of the opposite passes too. Throws Error unless 0 <=
+/// P1 <= P2 everywhere.
 Bounds find_bounds(const CostVolume& costs, const PenaltyField& penalties,
                    const std::vector<Pass>& passes, bool overcounting_correction);
 

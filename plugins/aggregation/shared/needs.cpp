@@ -35,13 +35,18 @@ double working_bytes(const Workload& load, const Pass& pass) {
 }  // namespace
 
 Needs needs(const Workload& load, const std::vector<Pass>& passes) {
-  // A pass reads a cost, reads and writes a sum; the first one reads no sum.
-  const double bytes_per_cell = 5.0 * static_cast<double>(passes.size()) - 2;
+  // A pass reads a cost, reads and writes a sum, and so does its opposite; where the sum is begun,
+  // it is not read.
+  const double bytes_per_cell = 2 * 5.0 * static_cast<double>(passes.size()) - 2;
   Needs needs{.volumes = 2 * load.cells(), .moved = bytes_per_cell * load.cells()};
   for (const Pass& pass : passes) {
-    needs.working = std::max(needs.working, working_bytes(load, pass));
-    for (const Path& path : pass.paths)
-      needs.updates += load.cells() * static_cast<double>(path.steps.size());
+    double working = 0;
+    for (const Pass& way : both_ways(pass)) {
+      working += working_bytes(load, way);
+      for (const Path& path : way.paths)
+        needs.updates += load.cells() * static_cast<double>(path.steps.size());
+    }
+    needs.working = std::max(needs.working, working);
   }
   return needs;
 }

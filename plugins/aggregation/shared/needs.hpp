@@ -9,7 +9,7 @@
 
 namespace xgm::aggregation {
 
-/// What aggregate_paths() takes with these passes.
+/// What aggregate_paths() takes with these passes and their opposites.
 XGM_API Needs needs(const Workload& load, const std::vector<Pass>& passes);
 
 }  // namespace xgm::aggregation

@@ -28,14 +28,15 @@ int find_lag(const Pass& pass) {
 
 }  // namespace
 
-/// A band is begun when all before it are finished but those that other threads are at. While a
-/// line of it is at pixel u, the ones that look back at it are at u - 2 * lag or before. One pixel
-/// more is kept because what is written behind a slice spoils the cells that follow.
+/// A band is begun when all before it are finished but those that the other threads of its front
+/// are at. While a line of it is at pixel u, the ones that look back at it are at u - 2 * lag or
+/// before. One pixel more is kept because what is written behind a slice spoils the cells that
+/// follow.
 LinesKept lines_kept(const Pass& pass, int lines, int threads) {
   int looked_back = 0;
   for (const Direction x : all_steps(pass))
     looked_back = std::max(looked_back, lines_across(x, pass.across));
-  return {.bands = std::min(threads + 1, (lines + kBand - 1) / kBand),
+  return {.bands = std::min((threads + 1) / 2 + 1, bands_of(lines)),
           .band_lines = kBand,
           .last_lines = looked_back,
           .pixels = 2 * find_lag(pass) + 2 * kFarthest + 2};
@@ -43,12 +44,13 @@ LinesKept lines_kept(const Pass& pass, int lines, int threads) {
 
 template <class Cell>
 PassWalk<Cell>::PassWalk(const CostVolume& costs, const PenaltyField& penalties, const Pass& pass,
-                         const PathLayout& layout, PassStep step, AggregatedVolume& sums)
+                         const PathLayout& layout, PassStep step, AggregatedVolume& sums,
+                         int first_line)
     : costs_(costs),
       shape_(costs.shape()),
       sums_(sums),
       step_(step),
-      frame_(shape_.size(), pass.along, pass.across),
+      frame_(shape_.size(), pass.along, pass.across, first_line),
       lag_(find_lag(pass)),
       lines_(layout, frame_, static_cast<int>(pass.paths.size()),
              lines_kept(pass, frame_.lines(), thread_count())),
@@ -80,10 +82,11 @@ void PassWalk<Cell>::load_penalties(int v) {
 }
 
 template <class Cell>
-void PassWalk<Cell>::begin_line(int v, Line& line) {
+void PassWalk<Cell>::begin_line(int v, bool begins_sums, Line& line) {
   const cv::Point start = frame_.pixel(0, v);
   const Direction along = frame_.along();
   line.v = v;
+  line.begins_sums = begins_sums;
   line.start = start;
   line.slices = {&shape_.slice(start.y, start.x),
                  along.dx + std::ptrdiff_t{along.dy} * shape_.width()};

@@ -17,6 +17,7 @@ namespace xgm::aggregation {
 /// Lines that a thread walks along at once, a pixel of each in turn. A path along the line has to
 /// wait for its least cost at one pixel before the next; meanwhile the other lines advance.
 inline constexpr int kBand = 4;
+constexpr int bands_of(int lines) { return (lines + kBand - 1) / kBand; }
 
 /// What path costs a pass keeps when so many threads walk.
 LinesKept lines_kept(const Pass& pass, int lines, int threads);
@@ -34,7 +35,8 @@ struct Strided {
 template <class Cell>
 struct WalkedLine {
   int v;
-  cv::Point start;  ///< pixel 0 in the image
+  bool begins_sums;  ///< with cost_weight * C, or adds to them
+  cv::Point start;   ///< pixel 0 in the image
   LinePlan plan;
   Strided<VolumeShape::Slice> slices;
   Strided<std::uint8_t> base_classes;   ///< if there are several
@@ -58,7 +60,7 @@ class PassWalk {
 
   /// `step` says what is the same for all passes; paths, terms and classes are found here.
   PassWalk(const CostVolume& costs, const PenaltyField& penalties, const Pass& pass,
-           const PathLayout& layout, PassStep step, AggregatedVolume& sums);
+           const PathLayout& layout, PassStep step, AggregatedVolume& sums, int first_line);
 
   const PassStep& step() const { return step_; }
   const PassFrame& frame() const { return frame_; }
@@ -69,7 +71,7 @@ class PassWalk {
   void load_penalties();
   /// Fetches those of a line that is an image row.
   void load_penalties(int v);
-  void begin_line(int v, Line& line);
+  void begin_line(int v, bool begins_sums, Line& line);
 
   /// Plans pixels first..last - 1 of a line, LinePlan::kPixels at most, but for what they look back
   /// at. Those that do not exist get no room; false if none does. All pixels of a line are planned

@@ -55,7 +55,6 @@ struct PassStep {
   int terms = 0;          ///< of each path, 1 or 2
   int match_classes = 1;  ///< the most that a table of penalties has
   int class_plane = 0;    ///< from one step's classes to the next one's; 0: step t's are in bit t
-  bool first = false;     ///< whether the sums are begun, with cost_weight * C, or added to
   bool past_caches = false;  ///< whether sums that are begun are written past the caches
   int bits = 0;              ///< fraction bits of path costs and sums
   int cost_weight = 1;       ///< how often C is in the sums beside what paths bring

@@ -140,9 +140,9 @@ class Group {
       : room_(line.plan.room[k]),
         count_(line.plan.count[k]),
         bits_(walk.step().bits),
-        begins_sums_(kFirst == 0 && walk.step().first),
+        begins_sums_(kFirst == 0 && line.begins_sums),
         // What other paths are still added to had better stay.
-        past_caches_(kPaths == kAllPaths && walk.step().past_caches),
+        past_caches_(kPaths == kAllPaths && line.begins_sums && walk.step().past_caches),
         pairs_fit_(sizeof(Cell) == 1 && 2 * walk.step().p2 <= kInfinite<Cell>),
         always_room_(walk.step().always_room),
         p2_(static_cast<Cell>(walk.step().p2)),

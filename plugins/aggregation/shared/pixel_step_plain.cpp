@@ -69,7 +69,7 @@ void extend_plain(const PassWalk<Cell>& walk, WalkedLine<Cell>& line, int k) {
       least[path] = std::min(least[path], static_cast<Cell>(extended));
       sum += brought;
     }
-    sum += pass.first ? (pass.cost_weight * cost[i]) << pass.bits : sums[i];
+    sum += line.begins_sums ? (pass.cost_weight * cost[i]) << pass.bits : sums[i];
     sums[i] = matchable ? static_cast<std::uint16_t>(sum) : AggregatedVolume::kNoMatch;
   }
   if (least[0] == kInfinite<Cell>) line.pixels.lose(u);

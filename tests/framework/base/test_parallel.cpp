@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <atomic>
+#include <thread>
 #include <vector>
 
 #include "support/support.hpp"
@@ -22,28 +23,66 @@ TEST_CASE("parallel_for visits each index once and reports the first failure") {
   }
 }
 
-TEST_CASE("wavefront keeps every line behind the one above by the lag, and covers all pixels") {
+namespace {
+
+// What both fronts have done, and whether all was there that they may rely on.
+struct Fronts {
+  static constexpr int kLag = 5;
+  const int lines, length, threads;
+  std::vector<std::atomic<int>> done[2] = {
+      std::vector<std::atomic<int>>(static_cast<std::size_t>(lines)),
+      std::vector<std::atomic<int>>(static_cast<std::size_t>(lines))};
+  std::atomic<int> violations{0};
+
+  std::atomic<int>& at(int front, int line) { return done[front][static_cast<std::size_t>(line)]; }
+
+  void visit(const Stretch& s) {
+    const auto reached = [&](int back, int pixel) {
+      return s.line < back || at(s.front, s.line - back) >= std::min(pixel, length);
+    };
+    auto& own = at(s.front, s.line);
+    if (own != s.first || !reached(1, s.last + kLag) || !reached(2, s.last + 2 * kLag))
+      ++violations;
+    if (!reached((threads + 1) / 2, length)) ++violations;
+    const int other = at(1 - s.front, lines - 1 - s.line);
+    if (other != (s.new_line ? 0 : length)) ++violations;
+    own = s.last;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("opposed_wavefronts cover all pixels twice, lines behind each other, none at once") {
   for (const int threads : {1, 2, 3, 8}) {
     const xgm::ThreadLimit guard(threads);
     for (const cv::Size size :
          {cv::Size(1, 1), cv::Size(1000, 37), cv::Size(3, 100), cv::Size(64, 2)}) {
-      constexpr int kLag = 5;
-      std::vector<std::atomic<int>> done(static_cast<std::size_t>(size.height));
-      std::atomic<int> violations{0};
-      wavefront(size.height, size.width, kLag, [&](int line, int first, int last) {
-        const auto reached = [&](int back, int pixel) {
-          return line < back ||
-                 done[static_cast<std::size_t>(line - back)] >= std::min(pixel, size.width);
-        };
-        auto& own = done[static_cast<std::size_t>(line)];
-        if (own != first || !reached(1, last + kLag) || !reached(2, last + 2 * kLag)) ++violations;
-        if (!reached(threads, size.width)) ++violations;
-        own = last;
+      CAPTURE(threads);
+      CAPTURE(size.height);
+      Fronts fronts{size.height, size.width, threads};
+      std::atomic<int> new_lines{0};
+      opposed_wavefronts(size.height, size.width, Fronts::kLag, [&](const Stretch& stretch) {
+        if (stretch.first == 0 && stretch.new_line) ++new_lines;
+        fronts.visit(stretch);
       });
-      CHECK(violations == 0);
-      for (const auto& end : done) CHECK(end == size.width);
+      CHECK(fronts.violations == 0);
+      CHECK(new_lines == size.height);
+      for (const auto& front : fronts.done)
+        for (const auto& end : front) CHECK(end == size.width);
     }
   }
-  wavefront(0, 10, 1, [](int, int, int) { FAIL("no lines"); });
-  wavefront(10, 0, 1, [](int, int, int) { FAIL("no pixels"); });
+  opposed_wavefronts(0, 10, 1, [](const Stretch&) { FAIL("no lines"); });
+  opposed_wavefronts(10, 0, 1, [](const Stretch&) { FAIL("no pixels"); });
+}
+
+TEST_CASE("two threads have a front each, until they have met") {
+  const xgm::ThreadLimit guard(2);
+  // Each front waits at its first line for the other one to be there, too: alone, it would not end.
+  std::atomic<int> begun{0};
+  opposed_wavefronts(10, 10, 1, [&](const Stretch& stretch) {
+    if (stretch.line > 0 || stretch.first > 0 || !stretch.new_line) return;
+    ++begun;
+    while (begun < 2) std::this_thread::yield();
+  });
+  CHECK(begun == 2);
 }

@@ -27,13 +27,24 @@ class XGM_API ThreadLimit {
 /// The exception of the smallest failing i is rethrown after all threads have stopped.
 XGM_API void parallel_for(int begin, int end, const std::function<void(int)>& body);
 
-/// Walks `lines` lines of `length` pixels so that line y follows line y-1 `lag` pixels behind:
-/// body(line, first, last) handles pixels [first, last) of a line and is called in ascending order
-/// within a line; when it is called, line-1 is finished up to min(length, last + lag), line-2 up to
-/// min(length, last + 2 * lag), and so on. A line is begun only after line - thread_count() is
-/// finished, so a ring of thread_count() + k lines is enough for a body that looks k lines back.
-/// Exceptions in `body` end the process: it must not throw.
-XGM_API void wavefront(int lines, int length, int lag,
-                       const std::function<void(int line, int first, int last)>& body);
+/// Pixels [first, last) of a line that a front of opposed_wavefronts() has come to.
+struct Stretch {
+  int front;  ///< 0, or 1, which comes from the other end: its line l is line lines - 1 - l of 0
+  int line;   ///< of this front
+  bool new_line;  ///< whether the other front was not there before
+  int first, last;
+};
+
+/// Walks twice along `lines` lines of `length` pixels: from the first line to the last, and from
+/// the last to the first, at the same time. Within each front, line y follows line y-1 `lag` pixels
+/// behind: `body` is called in ascending order of the pixels of a line; when it is called, line-1
+/// is finished up to min(length, last + lag), line-2 up to min(length, last + 2 * lag), and so on.
+/// Half of the threads, rounded up, are in a front at most, and a line is begun only when all
+/// before it are finished but those that the others are at: with n threads a ring of (n + 1) / 2 +
+/// k lines is enough for a body that looks k lines back. No line is in work in both fronts at once:
+/// the one that comes later waits. So two threads have a front each, and neither needs what the
+/// other one has just written. Exceptions in `body` end the process: it must not throw.
+XGM_API void opposed_wavefronts(int lines, int length, int lag,
+                                const std::function<void(const Stretch&)>& body);
 
 }  // namespace xgm
