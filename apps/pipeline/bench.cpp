@@ -3,6 +3,7 @@
 #include "xgm/bench.hpp"
 
 #include <spdlog/spdlog.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <filesystem>

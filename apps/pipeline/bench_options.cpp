@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench_options.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include "values.hpp"
 #include "xgm/lookup.hpp"
 

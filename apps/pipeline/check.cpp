@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // pipeline check: is the configuration sound?
+#include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
 

@@ -2,6 +2,7 @@
 #include "common.hpp"
 
 #include <spdlog/spdlog.h>
+#include <CLI/CLI.hpp>
 
 #include <cstdlib>
 #include <filesystem>

@@ -2,13 +2,18 @@
 // What all subcommands share: exit codes, plugins, loading of pipelines.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "xgm/base/error.hpp"
 #include "xgm/pipeline.hpp"
+
+// CLI11 takes seconds to compile: only what adds options includes it.
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
 
 namespace xgm::cli {
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // pipeline describe: which parameters does a plugin have?
+#include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // pipeline graph: the stages of a pipeline with all their parameters, defaults included.
+#include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
 

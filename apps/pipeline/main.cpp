@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The command line: every subcommand has a file of its own.
 #include <malloc.h>
+#include <CLI/CLI.hpp>
 
 #include <spdlog/spdlog.h>
 

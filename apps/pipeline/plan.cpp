@@ -3,6 +3,7 @@
 #include "xgm/plan.hpp"
 
 #include <spdlog/fmt/fmt.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <iostream>

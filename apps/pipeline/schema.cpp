@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // pipeline schema: JSON Schema of pipeline files, for editors.
+#include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
 
