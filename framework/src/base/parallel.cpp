@@ -104,7 +104,7 @@ void opposed_wavefronts(int lines, int length, int lag,
 #pragma omp parallel
   {
     Stretch at{};
-    while (fronts.take(omp_get_thread_num() % 2, (omp_get_num_threads() + 1) / 2, at)) {
+    while (fronts.take(omp_get_thread_num() % 2, omp_get_num_threads() / 2 + 1, at)) {
       if (!at.new_line) wait_for(fronts.progress_of_other(at), length);
       Progress& own = fronts.progress(at.front, at.line);
       const Progress* above = at.line > 0 ? &own - 1 : nullptr;

@@ -36,7 +36,7 @@ LinesKept lines_kept(const Pass& pass, int lines, int threads) {
   int looked_back = 0;
   for (const Direction x : all_steps(pass))
     looked_back = std::max(looked_back, lines_across(x, pass.across));
-  return {.bands = std::min((threads + 1) / 2 + 1, bands_of(lines)),
+  return {.bands = std::min(threads / 2 + 2, bands_of(lines)),
           .band_lines = kBand,
           .last_lines = looked_back,
           .pixels = 2 * find_lag(pass) + 2 * kFarthest + 2};

@@ -5,6 +5,8 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
+#include "xgm/base/parallel.hpp"
+
 namespace xgm::search_range {
 namespace {
 
@@ -25,15 +27,19 @@ Proposal window_extrema(const DisparityMap& coarse, int window, int relaxation) 
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   const cv::Mat1b square(window, window, std::uint8_t{1});
   cv::Mat1f low, high;  // holes never win, and pixels outside the image count as holes
-  cv::erode(with_holes(coarse, kInfinity), low, square);
-  cv::dilate(with_holes(coarse, -kInfinity), high, square);
+  parallel_for(0, 2, [&](int which) {
+    if (which == 0)
+      cv::erode(with_holes(coarse, kInfinity), low, square);
+    else
+      cv::dilate(with_holes(coarse, -kInfinity), high, square);
+  });
 
   Proposal proposal(coarse.size());
-  for (int y = 0; y < low.rows; ++y) {
+  parallel_for(0, low.rows, [&](int y) {
     for (int x = 0; x < low.cols; ++x) {
       if (coarse.valid(y, x)) proposal.set(y, x, relaxed(low(y, x), high(y, x), relaxation));
     }
-  }
+  });
   return proposal;
 }
 

@@ -43,7 +43,7 @@ struct Fronts {
     auto& own = at(s.front, s.line);
     if (own != s.first || !reached(1, s.last + kLag) || !reached(2, s.last + 2 * kLag))
       ++violations;
-    if (!reached((threads + 1) / 2, length)) ++violations;
+    if (!reached(threads / 2 + 1, length)) ++violations;
     const int other = at(1 - s.front, lines - 1 - s.line);
     if (other != (s.new_line ? 0 : length)) ++violations;
     own = s.last;
