@@ -31,8 +31,8 @@ struct AggregationOptions {
 ///   L_r(p, d) = C(p, d) + mean over x of [ min(L_r(p-x, d), L_r(p-x, d+-1) + P1(x),
 ///               min_i L_r(p-x, i) + P2(x)) - min_i L_r(p-x, i) ],
 /// x taken from the steps of the path (Path::steps). The paths are those of `passes` and of their
-/// opposites. Subtracting min_i changes S by a constant of
-/// the pixel and keeps 0 <= L <= max_cost + P2.
+/// opposites. Subtracting min_i changes S by a constant of the pixel and keeps 0 <= L <= max_cost +
+/// P2.
 ///
 /// A disparity outside the range of p - x, or kNoMatch there, is infinitely dear. If p - x lies
 /// outside the image or has no finite cell, x does not count; if none counts, L_r(p, d) = C(p, d).
@@ -40,10 +40,9 @@ struct AggregationOptions {
 /// Paths of one step are computed in whole numbers, exactly. Means are computed with fraction bits
 /// (choose_fraction_bits() in fixed_point.hpp).
 ///
-/// Memory beside the two volumes: path costs of a line for every thread, and one or two more, twice
-/// as many with 16 directions; and where penalties vary, classes: two bytes per pixel of each view
-/// if there are two (two bytes per step and pixel if more) in passes along columns, those of a few
-/// rows otherwise.
+/// Memory beside the two volumes: path costs of thread_count() + 4 lines, twice as many with 16
+/// directions; and where penalties vary, classes: two bytes per pixel of each view if there are two
+/// (two bytes per step and pixel if more) in passes along columns, those of a few rows otherwise.
 ///
 /// Throws Error if the sums cannot fit 16 bit (or path costs the asked width), or if the penalties
 /// do not hold 0 <= P1 <= P2.

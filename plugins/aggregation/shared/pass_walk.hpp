@@ -58,7 +58,9 @@ class PassWalk {
   using Pixels = LinePixels<Cell>;
   using Line = WalkedLine<Cell>;
 
-  /// `step` says what is the same for all passes; paths, terms and classes are found here.
+  /// `step` says what is the same for all passes; paths, terms and classes are found here. Lines
+  /// are counted from `first_line` on, less than kBand, so that bands can end where those of the
+  /// opposite pass begin.
   PassWalk(const CostVolume& costs, const PenaltyField& penalties, const Pass& pass,
            const PathLayout& layout, PassStep step, AggregatedVolume& sums, int first_line);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs a pass and its opposite on all threads, from both ends of the volume at once: half of the
-// threads go there and half come back, and none needs path costs that the others have just written.
+// Runs a pass and its opposite from both ends of the volume at once, half of the threads in each:
+// of two threads, neither needs path costs that the other has just written.
 #pragma once
 
 #include "plugins/aggregation/shared/line_progress.hpp"
