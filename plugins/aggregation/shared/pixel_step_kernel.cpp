@@ -15,10 +15,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace xgm::aggregation::HWY_NAMESPACE {
 
-/// How many pixels ahead the first line of a band fetches what it looks back at: the band before
-/// may have been another thread's, and lie in the cache of another core.
-constexpr int kFetchedAhead = 6;
-
 /// Extends with `Extend` at each pixel.
 template <class Extend, class Cell>
 void advance(PassWalk<Cell>& walk, Band<Cell>& band, int first, int last) {
@@ -30,21 +26,18 @@ void advance(PassWalk<Cell>& walk, Band<Cell>& band, int first, int last) {
       if (walk.plan(band.lines[i], own, own + pixels)) Extend::look_back(band.lines[i]);
     }
     for (int k = 0; k < pixels; ++k) {
-      if (k + kFetchedAhead < pixels) Extend::fetch_back(band.lines[0], k + kFetchedAhead);
       for (int i = 0; i < count; ++i) {
         if (band.lines[i].plan.room[k] > 0) Extend::extend(walk, band.lines[i], k);
       }
     }
   }
   // Before others hear of it.
-  if (walk.step().past_caches) hwy::FlushStream();
+  if (band.lines[0].begins_sums && walk.step().past_caches) hwy::FlushStream();
 }
 
 struct Plainly {
   template <class Cell>
   static void look_back(WalkedLine<Cell>&) {}
-  template <class Cell>
-  static void fetch_back(const WalkedLine<Cell>&, int) {}
   template <class Cell>
   static void extend(const PassWalk<Cell>& walk, WalkedLine<Cell>& line, int k) {
     extend_plain(walk, line, k);
@@ -282,14 +275,6 @@ class InVectors {
       }
       hn::StoreU(odd, d, plan.odd + k);
     }
-  }
-
-  /// Of long slices, processors foresee the rest.
-  static HWY_INLINE void fetch_back(const WalkedLine<Cell>& line, int k) {
-    const int room = line.plan.room[k];
-    if (room == 0 || room > 64 || line.plan.odd[k] < 0) return;
-    for (int t = 0; t < kPaths * kTerms; ++t)
-      hwy::Prefetch(line.back_costs[t] + line.plan.back[t][k]);
   }
 
   static HWY_INLINE void extend(const PassWalk<Cell>& walk, WalkedLine<Cell>& line, int k) {

@@ -36,15 +36,15 @@ struct Stretch {
 };
 
 /// Walks twice along `lines` lines of `length` pixels: from the first line to the last, and from
-/// the last to the first, at the same time. Within each front, line y follows line y-1 `lag` pixels
-/// behind: `body` is called in ascending order of the pixels of a line; when it is called, line-1
-/// is finished up to min(length, last + lag), line-2 up to min(length, last + 2 * lag), and so on.
-/// Half of the threads are in each front; at the end one more may help. A line is begun only when
-/// all before it are finished but those that the others are at: with n threads a ring of
-/// n / 2 + 1 + k lines is enough for a body that looks k lines back. No line is in work in both
-/// fronts at once: the one that comes later waits. So two threads have a front each, and neither
-/// needs what the other one has just written. Exceptions in `body` end the process: it must not
-/// throw.
+/// the last to the first, at the same time if there is more than one thread. Within each front,
+/// line y follows line y-1 `lag` pixels behind: `body` is called in ascending order of the pixels
+/// of a line; when it is called, line-1 is finished up to min(length, last + lag), line-2 up to
+/// min(length, last + 2 * lag), and so on. Half of the threads are in each front; at the end one
+/// more may help. A line is begun only when all before it are finished but those that the others
+/// are at: with n threads a ring of n / 2 + 1 + k lines is enough for a body that looks k lines
+/// back. No line is in work in both fronts at once: the one that comes later waits. So two threads
+/// have a front each, and neither needs what the other one has just written. Exceptions in `body`
+/// end the process: it must not throw.
 XGM_API void opposed_wavefronts(int lines, int length, int lag,
                                 const std::function<void(const Stretch&)>& body);
 
