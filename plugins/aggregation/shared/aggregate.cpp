@@ -39,6 +39,7 @@ void run_passes(const CostVolume& costs, const PenaltyField& penalties,
     const double done = share * static_cast<double>(i);
     LineProgress progress(context.part(done, done + share), 2 * lines);
     run_both_ways(there, back, i == 0, progress);
+    context.progress(done + share);  // whichever thread came last
   }
 }
 

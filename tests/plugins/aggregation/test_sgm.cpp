@@ -207,11 +207,16 @@ TEST_CASE("sgm tells its progress up to the end") {
     std::vector<double> shares;
   } watcher;
   const CostVolume costs = random_costs(dense_shape({64, 48}, {0, 16}), 24, 1);
-  const xgm::ThreadLimit threads(2);
-  testing::stage<Aggregation>("sgm")->run(costs, ConstantPenalties(5, 30), Context(watcher));
-  CHECK(watcher.shares.size() >= 10);
-  CHECK(std::ranges::is_sorted(watcher.shares));
-  CHECK(watcher.shares.back() > 0.9);
+  for (const int count : {1, 2, 5}) {
+    CAPTURE(count);
+    watcher.shares.clear();
+    const xgm::ThreadLimit threads(count);
+    testing::stage<Aggregation>("sgm")->run(costs, ConstantPenalties(5, 30), Context(watcher));
+    // Of several threads one tells, after its own lines: how often is not known.
+    if (count == 1) CHECK(watcher.shares.size() >= 10);
+    CHECK(std::ranges::is_sorted(watcher.shares));
+    CHECK(watcher.shares.back() == doctest::Approx(1));
+  }
 }
 
 TEST_CASE("an exception of penalties ends the run, not the process") {
