@@ -11,7 +11,8 @@
 namespace xgm::testing {
 
 /// Sizes at which windows are cut off on every side, and one that is none.
-inline const std::vector<cv::Size> kMapSizes{{1, 1}, {1, 9}, {9, 1}, {2, 2}, {13, 8}, {31, 22}};
+inline const std::vector<cv::Size> kMapSizes{{1, 1},  {1, 9},   {9, 1},  {2, 2},
+                                             {13, 8}, {31, 22}, {150, 5}};
 
 struct MapRecipe {
   double lowest = 0, highest = 20;  ///< disparities drawn from [lowest, highest]

@@ -37,15 +37,11 @@ double chance(std::uint64_t key, int y, int x, int d) {
 }
 
 DisparityRange ragged_range(cv::Size size, Interval hull) {
-  cv::Mat1i begin(size), end(size);
-  for (int y = 0; y < size.height; ++y) {
-    for (int x = 0; x < size.width; ++x) {
-      const int count = static_cast<int>(chance(1, y, x) * hull.size() * 0.7);
-      begin(y, x) = hull.begin + static_cast<int>(chance(2, y, x) * (hull.size() - count));
-      end(y, x) = begin(y, x) + count;
-    }
-  }
-  return {begin, end};
+  return DisparityRange::of_pixels(size, [&](int y, int x) {
+    const int count = static_cast<int>(chance(1, y, x) * hull.size() * 0.7);
+    const int begin = hull.begin + static_cast<int>(chance(2, y, x) * (hull.size() - count));
+    return Interval{begin, begin + count};
+  });
 }
 
 cv::Mat1b mask_with_holes(cv::Size size, int phase) {

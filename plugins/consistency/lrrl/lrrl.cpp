@@ -2,8 +2,6 @@
 // Left-right-right-left check (the paper's Eq. 5): a disparity stays if the pixel it points at
 // points back. What fails is told apart as occluded or mismatched.
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "plugins/consistency/lrrl/sight_lines.hpp"
 #include "xgm/plugin.hpp"
@@ -11,7 +9,6 @@
 namespace {
 
 using xgm::DisparityMap;
-using xgm::Status;
 using xgm::lrrl::SightLines;
 
 class Lrrl final : public xgm::Consistency {
@@ -39,10 +36,14 @@ class Lrrl final : public xgm::Consistency {
     xgm::parallel_for(0, (size.height + kBand - 1) / kBand, [&](int band) {
       SightLines forward(size.width), reverse(size.width);
       for (int y = band * kBand; y < std::min(size.height, (band + 1) * kBand); ++y) {
+        const auto check = [&](const SightLines& row, const SightLines& other,
+                               const DisparityMap& map, DisparityMap& to) {
+          xgm::lrrl::check(row, other, p_.threshold, map.status[y], to.disparity[y], to.status[y]);
+        };
         forward.load(result.forward.disparity[y], p_.threshold);
         reverse.load(result.reverse->disparity[y], p_.threshold);
-        check(forward, reverse, result.forward.status[y], y, checked.forward);
-        check(reverse, forward, result.reverse->status[y], y, *checked.reverse);
+        check(forward, reverse, result.forward, checked.forward);
+        check(reverse, forward, *result.reverse, *checked.reverse);
       }
     });
     return checked;
@@ -56,24 +57,6 @@ class Lrrl final : public xgm::Consistency {
     map.status.create(size);
     return map;
   }
-  /// Checks a row against the other view's, which is as the matcher left it: the formula
-  /// x_other = x - d holds for both views, so one function serves both.
-  void check(const SightLines& row, const SightLines& other, const std::uint8_t* states, int y,
-             DisparityMap& checked) const {
-    float* const disparities = checked.disparity[y];
-    std::uint8_t* const reasons = checked.status[y];
-    for (int x = 0; x < row.width(); ++x) {
-      const float disparity = row.disparity(x);
-      // NaN, of a pixel without a disparity or for a target outside, compares false.
-      const double round_trip = static_cast<double>(disparity) + other.disparity(row.target(x));
-      const bool agrees = std::abs(round_trip) <= p_.threshold;
-      const bool stays = agrees | !has_disparity(static_cast<Status>(states[x]));
-      const Status reason = other.meet(x) ? Status::mismatched : Status::occluded;
-      disparities[x] = stays ? disparity : std::numeric_limits<float>::quiet_NaN();
-      reasons[x] = stays ? states[x] : static_cast<std::uint8_t>(reason);
-    }
-  }
-
   Parameters p_;
 };
 

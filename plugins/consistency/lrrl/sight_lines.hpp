@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <opencv2/core.hpp>
 #include <vector>
 
 namespace xgm::lrrl {
@@ -19,22 +18,27 @@ class SightLines {
   void load(const float* disparities, double step);
 
   int width() const { return static_cast<int>(targets_.size()); }
-  /// Disparity of pixel x, NaN where there is none.
-  float disparity(int x) const { return disparities_[index(x)]; }
-  /// Pixel of the other view nearest to x - disparity(x), halves to the right; -1 or width() where
-  /// it is none, or the pixel has no disparity.
-  int target(int x) const { return targets_[static_cast<std::size_t>(x)]; }
-  /// Whether the line of sight through pixel x of the other view meets the disparity function of
-  /// this one: target(q) = x for some pixel q, or x lies between the targets of q and q + 1 where
-  /// both belong to one surface.
-  bool meet(int x) const { return met_[index(x)] != 0; }
+  /// Of pixel 0; NaN where there is none.
+  const float* disparities() const { return disparities_.data() + 1; }
+  /// Pixel of the other view nearest to x - disparity of x, halves to the right; -1 or width()
+  /// where it is none, or the pixel has no disparity.
+  const int* targets() const { return targets_.data(); }
+  /// 1 where the line of sight through pixel x of the other view meets the disparity function of
+  /// this one: q's target is x for some pixel q, or x lies between the targets of q and q + 1 where
+  /// both belong to one surface. Else 0.
+  const std::uint8_t* met() const { return met_.data() + 1; }
 
  private:
-  static std::size_t index(int x) { return static_cast<std::size_t>(x + 1); }
-
   std::vector<float> disparities_;
   std::vector<int> targets_;
   std::vector<std::uint8_t> met_;
 };
+
+/// Writes a row that is checked against the other view's: disparities that agree, to `threshold`,
+/// with those of the pixels that they point at stay, with their states; the others become NaN,
+/// mismatched where other lines of sight meet, else occluded. Pixels without one keep their states.
+/// The formula x_other = x - d holds for both views, so one function serves both.
+void check(const SightLines& row, const SightLines& other, double threshold,
+           const std::uint8_t* states, float* disparities, std::uint8_t* reasons);
 
 }  // namespace xgm::lrrl

@@ -83,18 +83,12 @@ Image halve(const Image& fine) {
 DisparityRange halve(const DisparityRange& fine) {
   const cv::Size size = half_up(fine.size());
   if (fine.is_uniform()) return DisparityRange::uniform(size, halve(fine.hull()));
-  cv::Mat1i begin(size), end(size);
-  parallel_for(0, size.height, [&](int y) {
-    for (int x = 0; x < size.width; ++x) {
-      Interval all;
-      for_each_covered(fine.size(), y, x,
-                       [&](int fine_y, int fine_x) { all = unite(all, fine.at(fine_y, fine_x)); });
-      const Interval coarse = halve(all);
-      begin(y, x) = coarse.begin;
-      end(y, x) = coarse.end;
-    }
+  return DisparityRange::of_pixels(size, [&](int y, int x) {
+    Interval all;
+    for_each_covered(fine.size(), y, x,
+                     [&](int fine_y, int fine_x) { all = unite(all, fine.at(fine_y, fine_x)); });
+    return halve(all);
   });
-  return {begin, end};
 }
 
 Workload halve(const Workload& fine) {

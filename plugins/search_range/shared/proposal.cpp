@@ -2,8 +2,6 @@
 // From proposals of coarse pixels to the range of the finer level.
 #include "plugins/search_range/shared/proposal.hpp"
 
-#include "xgm/base/parallel.hpp"
-
 namespace xgm::search_range {
 namespace {
 
@@ -21,16 +19,9 @@ Interval relaxed(double low, double high, int relaxation) {
 }
 
 DisparityRange cut(const Proposal& proposal, const DisparityRange& limits, int relaxation) {
-  const cv::Size size = limits.size();
-  cv::Mat1i begin(size), end(size);
-  parallel_for(0, size.height, [&](int y) {
-    for (int x = 0; x < size.width; ++x) {
-      const Interval searched = cut(proposal.at(y / 2, x / 2), limits.at(y, x), relaxation);
-      begin(y, x) = searched.begin;
-      end(y, x) = searched.end;
-    }
+  return DisparityRange::of_pixels(limits.size(), [&](int y, int x) {
+    return cut(proposal.at(y / 2, x / 2), limits.at(y, x), relaxation);
   });
-  return {begin, end};
 }
 
 }  // namespace xgm::search_range

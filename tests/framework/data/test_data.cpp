@@ -36,6 +36,18 @@ TEST_CASE("the reverse of range maps is the hull of all that points at a pixel")
   }
 }
 
+TEST_CASE("a range of pixels has each one's interval and the hull of those that are not empty") {
+  const auto at = [](int y, int x) {
+    return (x + y) % 3 == 0 ? Interval{5, 2} : Interval{x, 9 * y};
+  };
+  const auto range = DisparityRange::of_pixels({7, 4}, at);
+  CHECK(!range.is_uniform());
+  CHECK(range.hull() == Interval{0, 27});
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 7; ++x) CHECK(range.at(y, x) == at(y, x));
+  CHECK(DisparityRange::of_pixels({3, 2}, [](int, int) { return Interval{}; }).hull().empty());
+}
+
 TEST_CASE(
     "a shape lays pixels out one after the other in whole granules, masked and empty ones without "
     "cells") {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tests/plugins/maps.hpp"
+#include "tests/support/simd.hpp"
 #include "tests/support/support.hpp"
 #include "xgm/plugin.hpp"
 
@@ -113,11 +114,15 @@ TEST_CASE("lrrl keeps and classifies as the definition says") {
         const auto forward = xgm::testing::random_map(size, {-6, 4, 0.25, invalid}, 31);
         const auto reverse = xgm::testing::random_map(size, {-4, 6, 0.25, invalid}, 32);
         const std::string yaml = "{type: lrrl, threshold: " + std::to_string(threshold) + "}";
-        const MatchResult result = run(yaml, forward, reverse);
-        CHECK(identical(result.forward, oracle(forward, reverse, threshold)));
-        CHECK(identical(*result.reverse, oracle(reverse, forward, threshold)));
-        CHECK(xgm::testing::is_consistent(result.forward));
-        CHECK(xgm::testing::is_consistent(*result.reverse));
+        const DisparityMap expected = oracle(forward, reverse, threshold);
+        const DisparityMap expected_reverse = oracle(reverse, forward, threshold);
+        xgm::testing::with_each_simd_target([&] {
+          const MatchResult result = run(yaml, forward, reverse);
+          CHECK(identical(result.forward, expected));
+          CHECK(identical(*result.reverse, expected_reverse));
+          CHECK(xgm::testing::is_consistent(result.forward));
+          CHECK(xgm::testing::is_consistent(*result.reverse));
+        });
       }
     }
   }

@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // Branches on missing disparities would be slow, and keep compilers from making vectors of the
 // loop. So what is missing becomes -infinity and +infinity in turn: that way the middle one of the
-// nine is the middle one of those that are there, or the lower of two.
+// nine is the middle one of those that are there, or the lower of two. The loop is compiled for
+// each SIMD target; what it says does not depend on that.
 #include "plugins/filter/median/three_by_three.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <vector>
 
-namespace xgm::median {
-namespace {
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "plugins/filter/median/three_by_three_kernel.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace xgm::median::HWY_NAMESPACE {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
@@ -47,9 +53,7 @@ inline Three column(float above, float here, float below, float& stand_in) {
   return sorted(a, b, c);
 }
 
-}  // namespace
-
-void three_by_three(const cv::Mat1f& disparity, int y, float* __restrict result) {
+void filter_row(const cv::Mat1f& disparity, int y, float* __restrict result) {
   const int width = disparity.cols;
   const auto stride = static_cast<std::size_t>(width) + 2;
   std::vector<float> rows(3 * stride, kNone);
@@ -70,4 +74,17 @@ void three_by_three(const cv::Mat1f& disparity, int y, float* __restrict result)
   }
 }
 
+}  // namespace xgm::median::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace xgm::median {
+
+HWY_EXPORT(filter_row);
+
+void three_by_three(const cv::Mat1f& disparity, int y, float* result) {
+  HWY_DYNAMIC_DISPATCH(filter_row)(disparity, y, result);
+}
+
 }  // namespace xgm::median
+#endif
