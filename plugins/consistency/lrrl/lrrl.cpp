@@ -57,6 +57,7 @@ class Lrrl final : public xgm::Consistency {
     map.status.create(size);
     return map;
   }
+
   Parameters p_;
 };
 
