@@ -10,7 +10,8 @@
 
 namespace xgm::testing {
 
-/// Sizes at which windows are cut off on every side, and one that is none.
+/// Sizes at which windows are cut off on every side, one at which some are not, and one wider than
+/// several vectors.
 inline const std::vector<cv::Size> kMapSizes{{1, 1},  {1, 9},   {9, 1},  {2, 2},
                                              {13, 8}, {31, 22}, {150, 5}};
 

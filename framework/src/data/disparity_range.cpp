@@ -15,9 +15,7 @@ namespace {
 /// past them, so that painting n intervals costs hardly more than n plus the pixels.
 class PaintedRow {
  public:
-  explicit PaintedRow(int width) : next_(static_cast<std::size_t>(width) + 1), colour_(next_) {
-    clear();
-  }
+  explicit PaintedRow(int width) : next_(static_cast<std::size_t>(width) + 1), colour_(next_) {}
 
   void clear() { std::iota(next_.begin(), next_.end(), 0); }
   /// Paints what is not yet painted of `pixels`, which lie inside the row.
@@ -47,15 +45,15 @@ class PaintedRow {
 /// Base pixel x with range [b, e) reaches the match pixels x' = x - d with d in [b, e), with the
 /// reverse disparity -d = x' - x: of all that reach an x', the lowest x has the largest and the
 /// highest x the smallest one.
-void reverse_row(const DisparityRange& range, int y, int* begin, int* end) {
+void reverse_row(const DisparityRange& range, int y, PaintedRow& row, int* begin, int* end) {
   const int width = range.size().width;
-  PaintedRow row(width);
   const auto reach = [&](int x) {
     const Interval d = range.at(y, x);
     // Cut to the row first: x - d could overflow.
     const Interval inside = intersect(d, {x - width + 1, x + 1});
     return inside.empty() ? Interval{} : Interval{x - inside.end + 1, x - inside.begin + 1};
   };
+  row.clear();
   for (int x = 0; x < width; ++x) row.paint(reach(x), x);
   for (int x = 0; x < width; ++x) end[x] = row.painted(x) ? x - row.colour(x) + 1 : 0;
   row.clear();
@@ -84,23 +82,8 @@ DisparityRange DisparityRange::uniform(cv::Size size, Interval interval) {
 DisparityRange::DisparityRange(cv::Mat1i begin, cv::Mat1i end)
     : size_(begin.size()), begin_(std::move(begin)), end_(std::move(end)) {
   CV_Assert(begin_.size() == end_.size());
-  find_hull([](int) {});
-}
-
-DisparityRange DisparityRange::of_rows(cv::Size size,
-                                       const std::function<void(int, int*, int*)>& write) {
-  DisparityRange range(size, Interval{});
-  range.begin_.create(size);
-  range.end_.create(size);
-  range.find_hull([&](int y) { write(y, range.begin_[y], range.end_[y]); });
-  return range;
-}
-
-/// Of a row while it is in the cache: `before` is called with it first.
-void DisparityRange::find_hull(const std::function<void(int y)>& before) {
   std::vector<Interval> rows(static_cast<std::size_t>(size_.height));
   parallel_for(0, size_.height, [&](int y) {
-    before(y);
     rows[static_cast<std::size_t>(y)] = hull_of(begin_[y], end_[y], size_.width);
   });
   for (const Interval row : rows) hull_ = unite(hull_, row);
@@ -108,7 +91,15 @@ void DisparityRange::find_hull(const std::function<void(int y)>& before) {
 
 DisparityRange DisparityRange::reversed() const {
   if (is_uniform()) return uniform(size_, {-hull_.end + 1, -hull_.begin + 1});
-  return of_rows(size_, [&](int y, int* begin, int* end) { reverse_row(*this, y, begin, end); });
+  cv::Mat1i begin(size_), end(size_);
+  constexpr int kRows = 16;  // that share the memory of a PaintedRow
+  parallel_for(0, (size_.height + kRows - 1) / kRows, [&](int i) {
+    PaintedRow row(size_.width);
+    for (int y = i * kRows; y < std::min(size_.height, (i + 1) * kRows); ++y) {
+      reverse_row(*this, y, row, begin[y], end[y]);
+    }
+  });
+  return {begin, end};
 }
 
 }  // namespace xgm

@@ -33,23 +33,16 @@ DisparityRange read_range_maps(const std::string& min_file, const std::string& m
     throw Error(max_file + ": is " + size_text(high.size()) + " pixels but " + min_file + " is " +
                 size_text(low.size()) + "; both maps must have the size of the left image");
   }
-  cv::Mat1i begin(low.size(), 0), end(low.size(), 0);
-  bool any = false;
-  for (int y = 0; y < low.rows; ++y) {
-    for (int x = 0; x < low.cols; ++x) {
-      require_pixels(low(y, x), y, x, min_file);
-      require_pixels(high(y, x), y, x, max_file);
-      const Interval interval = interval_of(low(y, x), high(y, x));
-      begin(y, x) = interval.begin;
-      end(y, x) = interval.end;
-      any = any || !interval.empty();
-    }
-  }
-  if (!any) {
+  const auto range = DisparityRange::of_pixels(low.size(), [&](int y, int x) {
+    require_pixels(low(y, x), y, x, min_file);
+    require_pixels(high(y, x), y, x, max_file);
+    return interval_of(low(y, x), high(y, x));
+  });
+  if (range.hull().empty()) {
     throw Error(min_file + ": with " + max_file +
                 " leaves no disparity at any pixel; is the order min.pfm,max.pfm?");
   }
-  return DisparityRange(begin, end);
+  return range;
 }
 
 }  // namespace xgm

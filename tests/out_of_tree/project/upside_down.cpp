@@ -21,15 +21,9 @@ xgm::Image flipped(const xgm::Image& image) {
 
 xgm::DisparityRange flipped(const xgm::DisparityRange& range) {
   if (range.is_uniform()) return range;
-  cv::Mat1i begin(range.size()), end(range.size());
-  for (int y = 0; y < range.size().height; ++y) {
-    for (int x = 0; x < range.size().width; ++x) {
-      const xgm::Interval interval = range.at(range.size().height - 1 - y, x);
-      begin(y, x) = interval.begin;
-      end(y, x) = interval.end;
-    }
-  }
-  return {begin, end};
+  const int height = range.size().height;
+  return xgm::DisparityRange::of_pixels(range.size(),
+                                        [&](int y, int x) { return range.at(height - 1 - y, x); });
 }
 
 void flip(xgm::DisparityMap& map) {

@@ -3,10 +3,10 @@
 #pragma once
 
 #include <algorithm>
-#include <functional>
 #include <opencv2/core.hpp>
 
 #include "xgm/base/export.hpp"
+#include "xgm/base/parallel.hpp"
 
 namespace xgm {
 
@@ -43,21 +43,20 @@ class XGM_API DisparityRange {
   static DisparityRange uniform(cv::Size size, Interval interval);
   /// One interval per pixel: [begin(p), end(p)). Both maps have the same size.
   DisparityRange(cv::Mat1i begin, cv::Mat1i end);
-  /// The interval at(y, x) for each pixel. Rows are asked for on thread_count() threads.
+  /// The interval at(y, x) for each pixel, rows on thread_count() threads. What `at` throws for the
+  /// first pixel that it throws for is thrown.
   template <class At>
   static DisparityRange of_pixels(cv::Size size, const At& at) {
-    return of_rows(size, [&](int y, int* begin, int* end) {
+    cv::Mat1i begin(size), end(size);
+    parallel_for(0, size.height, [&](int y) {
       for (int x = 0; x < size.width; ++x) {
         const Interval interval = at(y, x);
-        begin[x] = interval.begin;
-        end[x] = interval.end;
+        begin(y, x) = interval.begin;
+        end(y, x) = interval.end;
       }
     });
+    return {begin, end};
   }
-  /// The same with rows that are written as a whole: `write` takes y and where the intervals'
-  /// begins and ends go.
-  static DisparityRange of_rows(cv::Size size,
-                                const std::function<void(int y, int* begin, int* end)>& write);
 
   cv::Size size() const { return size_; }
   bool is_uniform() const { return begin_.data == nullptr; }
@@ -73,7 +72,6 @@ class XGM_API DisparityRange {
 
  private:
   DisparityRange(cv::Size size, Interval interval) : size_(size), hull_(interval) {}
-  void find_hull(const std::function<void(int y)>& before);
 
   cv::Size size_;
   Interval hull_;

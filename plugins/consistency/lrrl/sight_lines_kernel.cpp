@@ -9,7 +9,7 @@
 #include "xgm/data/disparity_map.hpp"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "plugins/consistency/lrrl/rows_kernel.cpp"
+#define HWY_TARGET_INCLUDE "plugins/consistency/lrrl/sight_lines_kernel.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
