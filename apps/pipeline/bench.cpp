@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // pipeline bench: many pipelines on many scenes.
-#include "xgm/bench.hpp"
+#include "xgm/evaluation/bench.hpp"
 
 #include <spdlog/spdlog.h>
 #include <CLI/CLI.hpp>
@@ -16,11 +16,11 @@
 #include "progress.hpp"
 #include "values.hpp"
 #include "xgm/base/parallel.hpp"
-#include "xgm/bench_process.hpp"
-#include "xgm/bench_submission.hpp"
-#include "xgm/bench_tables.hpp"
+#include "xgm/evaluation/bench_process.hpp"
+#include "xgm/evaluation/bench_submission.hpp"
+#include "xgm/evaluation/bench_tables.hpp"
 #include "xgm/io/file.hpp"
-#include "xgm/lookup.hpp"
+#include "xgm/pipeline/lookup.hpp"
 
 namespace xgm::cli {
 namespace {

@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "values.hpp"
-#include "xgm/lookup.hpp"
+#include "xgm/pipeline/lookup.hpp"
 
 namespace xgm::cli {
 namespace {
@@ -43,11 +43,11 @@ void add_work(CLI::App& command, BenchOptions& options) {
                   "matcher.scale=4,8; may be given again: all combinations")
       ->type_name("PATH=VALUE,...")
       ->allow_extra_args(false);
-  constexpr int kMostThreads = 1024;
+  constexpr int kMaxThreads = 1024;
   command
       .add_option("--threads", options.threads, "Threads of each run; without it all processors")
       ->type_name("N")
-      ->check(CLI::Range(1, kMostThreads));
+      ->check(CLI::Range(1, kMaxThreads));
   add_memory_limit_option(command, options.memory_limit);
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common.hpp"
-#include "xgm/bench.hpp"
+#include "xgm/evaluation/bench.hpp"
 
 namespace xgm::cli {
 

@@ -9,7 +9,7 @@
 
 #include "console.hpp"
 #include "xgm/io/file.hpp"
-#include "xgm/lookup.hpp"
+#include "xgm/pipeline/lookup.hpp"
 
 namespace xgm::cli {
 namespace fs = std::filesystem;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "xgm/base/error.hpp"
-#include "xgm/pipeline.hpp"
+#include "xgm/pipeline/pipeline.hpp"
 
 // CLI11 takes seconds to compile: only what adds options includes it.
 namespace CLI {

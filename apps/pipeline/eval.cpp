@@ -10,9 +10,9 @@
 #include "common.hpp"
 #include "eval_options.hpp"
 #include "eval_table.hpp"
+#include "xgm/evaluation/run_record.hpp"
 #include "xgm/io/file.hpp"
 #include "xgm/io/image_io.hpp"
-#include "xgm/run_record.hpp"
 
 namespace xgm::cli {
 namespace fs = std::filesystem;
@@ -104,23 +104,23 @@ std::vector<InputFile> identify(const EvalOptions& options, const Comparison& fi
   return inputs;
 }
 
-Judgement judge(const EvalOptions& options) {
-  Judgement judgement;
-  judgement.rules = parse_rules(options);
+EvaluationReport judge(const EvalOptions& options) {
+  EvaluationReport report;
+  report.rules = parse_rules(options);
   const Comparison files = find_files(options);
   if (files.scene) warn_of_other_images(options, *files.scene);
-  judgement.rules.clip =
+  report.rules.clip =
       parse_clip(options.clip, files.scene ? files.scene->disparities : std::nullopt);
   const DisparityMap map = read_map(files.map, options.divisor);
   const GroundTruth truth = read_truth(options, files, map.size());
-  judgement.size = map.size();
-  judgement.regions = evaluate_regions(map, truth, judgement.rules);
+  report.size = map.size();
+  report.regions = evaluate_regions(map, truth, report.rules);
   if (!files.confidence.empty()) {
-    judgement.confidence =
-        sparsification_by_region(map, truth, read_disparities(files.confidence), judgement.rules);
+    report.confidence =
+        sparsification_by_region(map, truth, read_disparities(files.confidence), report.rules);
   }
-  judgement.inputs = identify(options, files);
-  return judgement;
+  report.inputs = identify(options, files);
+  return report;
 }
 
 void write(const std::string& file, const std::string& text) {
@@ -136,15 +136,15 @@ int eval(const EvalOptions& options) {
   if (json_only && csv_only) {
     throw UsageError("--json - and --csv - cannot share standard output; give one of them a file");
   }
-  Judgement judgement;
+  EvaluationReport report;
   try {
-    judgement = judge(options);
+    report = judge(options);
   } catch (const Error& error) {
     throw UsageError(error.message());  // files that cannot be compared are the caller's mistake
   }
-  write(options.json, to_json(judgement));
-  write(options.csv, to_csv(judgement));
-  if (!json_only && !csv_only) std::cout << table(judgement);
+  write(options.json, to_json(report));
+  write(options.csv, to_csv(report));
+  if (!json_only && !csv_only) std::cout << table(report);
   return kOk;
 }
 

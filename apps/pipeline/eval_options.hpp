@@ -6,7 +6,7 @@
 #include <string>
 
 #include "common.hpp"
-#include "xgm/metrics.hpp"
+#include "xgm/evaluation/metrics.hpp"
 
 namespace xgm::cli {
 

@@ -127,14 +127,14 @@ void add_curve(std::vector<Column>& columns, const SparsificationCurve& curve, d
   columns[column].cells.push_back(number(unit * curve.optimal_area, digits));
 }
 
-std::string sparsifications(const Judgement& judgement) {
-  if (judgement.confidence.empty()) return {};
+std::string sparsifications(const EvaluationReport& report) {
+  if (report.confidence.empty()) return {};
   Column rows{"", {}};
   std::vector<Column> columns;
   for (const char* heading : {"25 %", "50 %", "75 %", "100 %", "area", "optimal"}) {
     columns.push_back({heading, {}});
   }
-  for (const auto& [region, sparsification] : judgement.confidence) {
+  for (const auto& [region, sparsification] : report.confidence) {
     for (std::size_t i = 0; i < sparsification.deltas.size(); ++i) {
       rows.cells.push_back(region + " " + above(sparsification.deltas[i]));
       add_curve(columns, sparsification.bad[i], 100, 2);
@@ -148,11 +148,11 @@ std::string sparsifications(const Judgement& judgement) {
 
 }  // namespace
 
-std::string table(const Judgement& judgement) {
-  const Regions& regions = judgement.regions;
+std::string table(const EvaluationReport& report) {
+  const Regions& regions = report.regions;
   std::string text = totals(regions);
-  if (!judgement.rules.deltas.empty()) text += bad(regions);
-  return text + errors(regions) + sparsifications(judgement);
+  if (!report.rules.deltas.empty()) text += bad(regions);
+  return text + errors(regions) + sparsifications(report);
 }
 
 }  // namespace xgm::cli

@@ -4,11 +4,11 @@
 
 #include <string>
 
-#include "xgm/judgement.hpp"
+#include "xgm/evaluation/evaluation_report.hpp"
 
 namespace xgm::cli {
 
 /// Rows are regions; shares are in percent, errors in px.
-std::string table(const Judgement& judgement);
+std::string table(const EvaluationReport& report);
 
 }  // namespace xgm::cli

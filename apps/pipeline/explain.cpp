@@ -48,7 +48,7 @@ int explain_checked(const Options& options, const Pipeline& pipeline, const Plan
       {.load = workload_of(request, threads_of(options)), .truth = !scene.truth.disparity.empty()},
       plan.memory_limit);
   progress.begin("matching");
-  pipeline.run(request, observer, options.threads);
+  pipeline.run(request, {.observer = &observer, .threads = options.threads});
   progress.end();
   print(options, explainer->explanations().front());
   return kOk;

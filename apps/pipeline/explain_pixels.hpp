@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "xgm/explain.hpp"
+#include "xgm/evaluation/explain.hpp"
 #include "xgm/io/scene.hpp"
 
 namespace xgm::cli {

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "common.hpp"
-#include "xgm/lookup.hpp"
+#include "xgm/pipeline/lookup.hpp"
 
 namespace xgm::cli {
 namespace {

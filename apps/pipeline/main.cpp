@@ -12,7 +12,7 @@
 #include "common.hpp"
 #include "console.hpp"
 #include "xgm/base/simd.hpp"
-#include "xgm/lookup.hpp"
+#include "xgm/pipeline/lookup.hpp"
 #include "xgm/plugin/version.hpp"
 
 namespace {
@@ -47,7 +47,7 @@ int finish(int exit_code) {
 }
 
 /// For the next image or map: memory from the system has to be cleared first, page by page. What is
-/// larger is a volume, which xgm::new_cells() keeps, or OpenCV's.
+/// larger is a volume, which xgm::new_buffer() keeps, or OpenCV's.
 void keep_freed_memory() {
   constexpr int kLargeMap = 128 << 20;
   mallopt(M_MMAP_THRESHOLD, kLargeMap);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // pipeline plan: what will a run take?
-#include "xgm/plan.hpp"
+#include "xgm/pipeline/plan.hpp"
 
 #include <spdlog/fmt/fmt.h>
 #include <CLI/CLI.hpp>
@@ -15,6 +15,7 @@
 #include "run_inputs.hpp"
 #include "run_memory.hpp"
 #include "values.hpp"
+#include "xgm/synthesis/plain_scene.hpp"
 
 namespace xgm::cli {
 namespace {
@@ -96,8 +97,8 @@ cv::Size parse_size(const std::string& text) {
   const auto width = parse_whole(std::string_view(text).substr(0, by));
   const auto height =
       by == std::string::npos ? std::nullopt : parse_whole(std::string_view(text).substr(by + 1));
-  constexpr int kMost = 1'000'000;
-  if (!width || !height || *width < 1 || *height < 1 || *width > kMost || *height > kMost) {
+  constexpr int kMax = 1'000'000;
+  if (!width || !height || *width < 1 || *height < 1 || *width > kMax || *height > kMax) {
     throw UsageError("--size " + text + ": write WIDTHxHEIGHT in px, for example 2964x1988");
   }
   return {*width, *height};
@@ -122,7 +123,14 @@ PlanRequest request_of_size(const Options& options, const Pipeline& pipeline, in
   constexpr int kColour = 3;
   PlanRequest request{.load = Workload::dense(size, kColour, possible)};
   request.load.threads = threads;
-  request.experience = probe(pipeline, kColour, threads);
+  synthesis::PlainOptions pair;
+  pair.size = {512, 384};
+  pair.disparities = {0, 64};
+  pair.colour = true;
+  synthesis::GeneratedScene scene = synthesis::generate_plain(pair);
+  const auto range = DisparityRange::uniform(scene.pair.size(), scene.disparities);
+  request.experience = probe_whole(pipeline, {std::move(scene.pair), range, {}}, threads);
+  request.experience.narrowing.reset();
   return request;
 }
 

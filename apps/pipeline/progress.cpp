@@ -15,8 +15,8 @@ using Seconds = std::chrono::duration<double>;
 constexpr Seconds kTerminalPeriod{0.2};
 constexpr Seconds kPlainPeriod{1.0};
 // Before that, an estimate would be a guess.
-constexpr double kLeastShare = 0.02;
-constexpr double kLeastSeconds = 0.5;
+constexpr double kMinShare = 0.02;
+constexpr double kMinSeconds = 0.5;
 
 }  // namespace
 
@@ -68,7 +68,7 @@ std::string Progress::line() const {
   std::string text = what_;
   if (share_ > 0) text += fmt::format(" {:3.0f} %", 100 * share_);
   text += ", " + duration_text(elapsed);
-  if (share_ > kLeastShare && elapsed > kLeastSeconds) {
+  if (share_ > kMinShare && elapsed > kMinSeconds) {
     text += ", about " + duration_text(elapsed * (1 - share_) / share_) + " left";
   }
   if (!stage_.empty()) text += ": " + stage_;

@@ -18,8 +18,8 @@
 #include "run_observer.hpp"
 #include "run_options.hpp"
 #include "run_results.hpp"
+#include "xgm/base/memory.hpp"
 #include "xgm/io/outputs.hpp"
-#include "xgm/memory.hpp"
 
 namespace xgm::cli {
 namespace {
@@ -77,7 +77,8 @@ int run_checked(const RunOptions& options, const Pipeline& pipeline, const Plan&
   const Stopwatch matching;
   // Shares its pixels.
   const Image left = extras.depth || options.report ? request.pair.base : Image();
-  const MatchResult result = pipeline.run(request, observer, options.threads);
+  const MatchResult result =
+      pipeline.run(request, {.observer = &observer, .threads = options.threads});
   record.matching_seconds = matching.seconds();
 
   progress.begin("writing the results");
@@ -88,7 +89,7 @@ int run_checked(const RunOptions& options, const Pipeline& pipeline, const Plan&
   if (!options.dump.empty() && record.dumps.empty()) {
     spdlog::warn("--dump {}: no stage has such a path; run.json lists the paths", options.dump);
   }
-  record.valid_share = map.valid_share();
+  record.valid_share = map.density();
   record.status_shares = status_shares(map);
   if (!scene.truth.disparity.empty()) {
     record.truth = evaluate_regions(map, scene.truth, {.deltas = usual_thresholds()});

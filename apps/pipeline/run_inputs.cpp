@@ -6,7 +6,8 @@
 #include <filesystem>
 
 #include "values.hpp"
-#include "xgm/metrics.hpp"
+#include "xgm/evaluation/metrics.hpp"
+#include "xgm/synthesis/plain_scene.hpp"
 
 namespace xgm::cli {
 namespace {
@@ -94,7 +95,7 @@ namespace {
 
 Scene read_scene(const Plan& plan) {
   if (plan.scene) return load_scene(*plan.scene);
-  Scene scene = sample_scene();
+  Scene scene = synthesis::sample_scene();
   scene.notes.push_back("no images were given: the built-in sample pair is matched (" +
                         std::to_string(scene.pair.size().width) + " x " +
                         std::to_string(scene.pair.size().height) + ")");

@@ -4,7 +4,7 @@
 #include <spdlog/spdlog.h>
 
 #include "common.hpp"
-#include "xgm/memory.hpp"
+#include "xgm/base/memory.hpp"
 
 namespace xgm::cli {
 namespace {
@@ -16,7 +16,7 @@ std::string remedy(const Pipeline& pipeline, const PlanRequest& request, const R
   const std::string smaller = "match smaller images";
   std::string text = "search fewer disparities, ";
   if (!request.load.ragged) {
-    const int fitting = most_disparities(pipeline, request, limit);
+    const int fitting = max_disparities(pipeline, request, limit);
     if (fitting == 0) return smaller;
     text = fmt::format("search at most {} disparities (--disparities {}:{}), ", fitting,
                        range.begin, range.begin + fitting - 1);

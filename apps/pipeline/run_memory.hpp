@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "xgm/pipeline.hpp"
-#include "xgm/plan.hpp"
+#include "xgm/pipeline/pipeline.hpp"
+#include "xgm/pipeline/plan.hpp"
 
 namespace xgm::cli {
 

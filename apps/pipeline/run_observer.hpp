@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "progress.hpp"
-#include "xgm/run_record.hpp"
+#include "xgm/evaluation/run_record.hpp"
 
 namespace xgm::cli {
 

@@ -73,10 +73,10 @@ CLI::Option* add_search(CLI::App& command, RunOptions& options) {
 
 void add_matching(CLI::App& command, RunOptions& options) {
   add_set_option(command, options.assignments);
-  constexpr int kMostThreads = 1024;
+  constexpr int kMaxThreads = 1024;
   command.add_option("--threads", options.threads, "Threads to use; without it all processors")
       ->type_name("N")
-      ->check(CLI::Range(1, kMostThreads));
+      ->check(CLI::Range(1, kMaxThreads));
 }
 
 void add_truth(CLI::App& command, RunOptions& options) {

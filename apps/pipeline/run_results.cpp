@@ -36,12 +36,12 @@ double share_of(const RunRecord& record, Status status) {
 
 /// Of the pixels with data; filled ones are guesses and tell nothing of the match.
 double matched_share(const RunRecord& record) {
-  return share_of(record, Status::valid) / (1 - share_of(record, Status::masked));
+  return share_of(record, Status::matched) / (1 - share_of(record, Status::masked));
 }
 
 /// Of the matched pixels, the share within 1 px of `end`.
 double share_at(const DisparityMap& map, int end) {
-  const cv::Mat1b matched(map.status == static_cast<int>(Status::valid));
+  const cv::Mat1b matched(map.status == static_cast<int>(Status::matched));
   const cv::Mat1b near((map.disparity > end - 1.0) & (map.disparity < end + 1.0) & matched);
   return cv::countNonZero(near) / std::max(1.0, static_cast<double>(cv::countNonZero(matched)));
 }
@@ -89,8 +89,8 @@ void print_summary(const std::string& folder, const RunRecord& record, bool has_
             << percent(record.valid_share) << " of the pixels have a disparity";
   const double filled = share_of(record, Status::filled);
   if (filled > 0) {
-    std::cout << " (" << percent(share_of(record, Status::valid)) << " matched, " << percent(filled)
-              << " filled)";
+    std::cout << " (" << percent(share_of(record, Status::matched)) << " matched, "
+              << percent(filled) << " filled)";
   }
   std::cout << '\n';
   for (const auto& [region, truth] : record.truth) {

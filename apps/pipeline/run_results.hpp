@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "xgm/data/disparity_map.hpp"
-#include "xgm/explain.hpp"
-#include "xgm/report.hpp"
-#include "xgm/run_record.hpp"
+#include "xgm/evaluation/explain.hpp"
+#include "xgm/evaluation/report.hpp"
+#include "xgm/evaluation/run_record.hpp"
 
 namespace xgm::cli {
 

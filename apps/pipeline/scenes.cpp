@@ -49,13 +49,13 @@ void print_missing(const std::vector<SceneFiles>& scenes) {
   if (!lacking.empty()) std::cout << "\nMissing:\n";
   for (const auto& [what, names] : lacking) {
     const bool all = names.size() == scenes.size() && names.size() > 1;
-    constexpr std::size_t kMostNames = 8;
+    constexpr std::size_t kMaxNames = 8;
     std::string who = all ? "all scenes" : "";
-    for (std::size_t i = 0; !all && i < std::min(names.size(), kMostNames); ++i) {
+    for (std::size_t i = 0; !all && i < std::min(names.size(), kMaxNames); ++i) {
       who += (i > 0 ? ", " : "") + names[i];
     }
-    if (!all && names.size() > kMostNames) {
-      who += fmt::format(" and {} more", names.size() - kMostNames);
+    if (!all && names.size() > kMaxNames) {
+      who += fmt::format(" and {} more", names.size() - kMaxNames);
     }
     std::cout << "  " << what << "\n    in " << who << '\n';
   }

@@ -13,9 +13,9 @@
 #include "progress.hpp"
 #include "run_inputs.hpp"
 #include "xgm/base/simd.hpp"
-#include "xgm/bench_speed.hpp"
+#include "xgm/evaluation/speed.hpp"
 #include "xgm/io/file.hpp"
-#include "xgm/lookup.hpp"
+#include "xgm/pipeline/lookup.hpp"
 
 namespace xgm::cli {
 namespace {

@@ -13,7 +13,7 @@
 #include "progress.hpp"
 #include "values.hpp"
 #include "xgm/base/parallel.hpp"
-#include "xgm/synthesis.hpp"
+#include "xgm/synthesis/generate.hpp"
 
 namespace xgm::cli {
 namespace {
@@ -35,11 +35,11 @@ struct SynthOptions {
 };
 
 cv::Size parse_size(const std::string& text) {
-  constexpr double kMostPixels = 400e6;
+  constexpr double kMaxPixels = 400e6;
   int width = 0, height = 0, end = 0;
   const int found = std::sscanf(text.c_str(), "%6dx%6d%n", &width, &height, &end);
   const bool whole = found == 2 && end == static_cast<int>(text.size());
-  if (!whole || width < 1 || height < 1 || static_cast<double>(width) * height > kMostPixels)
+  if (!whole || width < 1 || height < 1 || static_cast<double>(width) * height > kMaxPixels)
     throw UsageError("--size " + text +
                      ": write WIDTHxHEIGHT in px, at most 400 million in all, "
                      "for example 640x480");
@@ -119,10 +119,10 @@ std::string fault_help() {
 }
 
 void add_scene_options(CLI::App& command, SynthOptions& options) {
-  constexpr int kMostScenes = 1'000'000;
+  constexpr int kMaxScenes = 1'000'000;
   command.add_option("--count", options.count, "Number of scenes; each has the next seed")
       ->type_name("N")
-      ->check(CLI::Range(1, kMostScenes))
+      ->check(CLI::Range(1, kMaxScenes))
       ->capture_default_str();
   command.add_option("--size", options.size, "Size of the images, px")
       ->type_name("WxH")
@@ -161,10 +161,10 @@ void add_synth(CLI::App& app, Invocation& call) {
   command->add_flag("--grey", options->grey, "Images of one channel");
   command->add_flag("--force", options->force,
                     "Write into a folder that is not empty, and replace scenes of the same names");
-  constexpr int kMostThreads = 1024;
+  constexpr int kMaxThreads = 1024;
   command->add_option("--threads", options->threads, "Threads to use; without it all processors")
       ->type_name("N")
-      ->check(CLI::Range(1, kMostThreads));
+      ->check(CLI::Range(1, kMaxThreads));
   command->footer(fault_help());
   command->callback([options, &call] { call.exit_code = synth(*options); });
 }

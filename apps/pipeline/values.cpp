@@ -7,7 +7,7 @@
 #include <map>
 
 #include "common.hpp"
-#include "xgm/metrics.hpp"
+#include "xgm/evaluation/metrics.hpp"
 
 namespace xgm::cli {
 namespace {

@@ -10,7 +10,7 @@
 #include "apps/program.hpp"
 #include "support/support.hpp"
 #include "support/temporary_folder.hpp"
-#include "xgm/bench_process.hpp"
+#include "xgm/evaluation/bench_process.hpp"
 #include "xgm/io/file.hpp"
 #include "xgm/io/image_io.hpp"
 #include "xgm/io/outputs.hpp"

@@ -28,7 +28,7 @@ struct Desk : TemporaryFolder {
     options.size = {900, 700};
     options.disparities = {0, 112};
     options.colour = true;
-    const testing::SyntheticScene scene = make_scene(options);
+    const testing::SyntheticScene scene = testing::make_scene(options);
     write_png(*this / "scene/im0.png", picture(scene.pair.base));
     write_png(*this / "scene/im1.png", picture(scene.pair.match));
     write("scene/calib.txt", "ndisp=112\n");

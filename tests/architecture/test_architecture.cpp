@@ -66,13 +66,13 @@ TEST_CASE("architecture rules: SDK layers may include lower ones only") {
   check_forbidden(sdk + "data/a.hpp", "\"xgm/config/parameters.hpp\"");
   check_forbidden(sdk + "config/a.hpp", "\"xgm/plugin/registry.hpp\"");
   check_forbidden(sdk + "stage/a.hpp", "\"xgm/plugin.hpp\"");
-  check_forbidden(sdk + "plugin.hpp", "\"xgm/pipeline.hpp\"");
+  check_forbidden(sdk + "plugin.hpp", "\"xgm/pipeline/pipeline.hpp\"");
   check_forbidden(sdk + "plugin/a.hpp", "\"xgm/io/pfm.hpp\"");
-  check_forbidden(sdk + "pipeline.hpp", "\"xgm/testing/synthetic.hpp\"");
+  check_forbidden(sdk + "pipeline.hpp", "\"xgm/synthesis/plain_scene.hpp\"");
   check_forbidden(sdk + "stage/a.hpp", "\"config/node.hpp\"");
   check_allowed(sdk + "pipeline.hpp", "\"xgm/plugin/registry.hpp\"");
   check_forbidden(sdk + "new_folder/a.hpp", "\"xgm/base/error.hpp\"");
-  check_forbidden(sdk + "data/a.hpp", "\"xgm/metrics.hpp\"");
+  check_forbidden(sdk + "data/a.hpp", "\"xgm/evaluation/metrics.hpp\"");
   check_allowed(sdk + "run_record.hpp", "\"xgm/io/scene.hpp\"");
   check_allowed(sdk + "plugin.hpp", "\"xgm/plugin/handshake.hpp\"");
   check_allowed(sdk + "stage/a.hpp", "\"xgm/stage/b.hpp\"");
@@ -97,10 +97,10 @@ TEST_CASE("architecture rules: a plugin includes the SDK and its own folder only
   check_forbidden(census, "\"config/node.hpp\"");
   check_forbidden(census, "\"../../../framework/src/config/node.hpp\"");
   check_forbidden(census, "\"framework/src/config/node.hpp\"");
-  check_forbidden(census, "\"xgm/pipeline.hpp\"");
-  check_forbidden("plugins/cost/shared/a.hpp", "\"plugins/cost/census/bits.hpp\"");
+  check_forbidden(census, "\"xgm/pipeline/pipeline.hpp\"");
+  check_forbidden("plugins/cost/candidate_costs/a.hpp", "\"plugins/cost/census/bits.hpp\"");
   check_allowed(census, "\"plugins/cost/census/bits.hpp\"");
-  check_allowed(census, "\"plugins/cost/shared/window.hpp\"");
+  check_allowed(census, "\"plugins/cost/candidate_costs/window.hpp\"");
   check_allowed(census, "\"xgm/plugin.hpp\"");
   check_allowed(census, "<opencv2/imgproc.hpp>");
 }
@@ -111,7 +111,7 @@ TEST_CASE("architecture rules: the framework knows no plugin, applications only 
   check_forbidden("apps/pipeline/main.cpp", "\"xgm/stage/cost.hpp\"");
   check_forbidden("apps/pipeline/main.cpp", "\"plugins/cost/census/bits.hpp\"");
   check_forbidden("apps/pipeline/main.cpp", "\"config/node.hpp\"");
-  check_allowed("apps/pipeline/main.cpp", "\"xgm/pipeline.hpp\"");
+  check_allowed("apps/pipeline/main.cpp", "\"xgm/pipeline/pipeline.hpp\"");
   check_allowed("apps/pipeline/main.cpp", "<CLI/CLI.hpp>");
   CHECK(forbidden_includes({{"apps/pipeline/main.cpp", "#include \"scene.hpp\"\n"},
                             {"apps/pipeline/scene.hpp", ""}}) == Faults{});

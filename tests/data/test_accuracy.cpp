@@ -3,8 +3,8 @@
 // quarter resolution), non-occluded pixels, total error at 1 px, averaged with the benchmark's
 // weights.
 #include "support/support.hpp"
+#include "xgm/evaluation/metrics.hpp"
 #include "xgm/io/scene.hpp"
-#include "xgm/metrics.hpp"
 
 using namespace xgm;
 
@@ -17,10 +17,9 @@ struct Score {
 
 Evaluation evaluate_scene(const Pipeline& pipeline, const SceneFiles& files) {
   const Scene scene = load_scene(files);
-  Observer silent;
   const DisparityRange range =
       DisparityRange::uniform(scene.pair.size(), files.disparities.value());
-  const DisparityMap map = pipeline.run({scene.pair, range, std::nullopt}, silent).forward;
+  const DisparityMap map = pipeline.run({scene.pair, range, std::nullopt}).forward;
   const GroundTruth truth = load_truth(files.truth, map.size());
   return evaluate(map, truth.disparity, {.deltas = usual_thresholds()}, truth.non_occluded);
 }

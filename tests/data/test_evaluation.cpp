@@ -11,9 +11,9 @@
 
 #include "support/support.hpp"
 #include "support/temporary_folder.hpp"
+#include "xgm/evaluation/metrics.hpp"
 #include "xgm/io/image_io.hpp"
 #include "xgm/io/pfm.hpp"
-#include "xgm/metrics.hpp"
 
 using namespace xgm;
 using namespace xgm::testing;

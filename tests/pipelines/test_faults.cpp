@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "support/support.hpp"
-#include "xgm/metrics.hpp"
-#include "xgm/synthesis.hpp"
+#include "xgm/evaluation/metrics.hpp"
+#include "xgm/synthesis/generate.hpp"
 
 using namespace xgm;
 
@@ -20,10 +20,9 @@ Pipeline load(const std::string& name, const std::vector<Override>& overrides = 
 
 /// Share of the visible pixels without a disparity, or more than 1 px off.
 double total_error(const Pipeline& pipeline, const synthesis::GeneratedScene& scene) {
-  Observer silent;
   const MatchRequest request{
       scene.pair, DisparityRange::uniform(scene.pair.size(), scene.disparities), std::nullopt};
-  const MatchResult result = pipeline.run(request, silent);
+  const MatchResult result = pipeline.run(request);
   return evaluate(result.forward, scene.truth, {.deltas = {1.0}}, scene.non_occluded).at[0].total;
 }
 

@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "support/support.hpp"
-#include "xgm/metrics.hpp"
+#include "xgm/evaluation/metrics.hpp"
 #include "xgm/testing/synthetic.hpp"
 
 using namespace xgm;
@@ -51,7 +51,7 @@ TEST_CASE("each begins with a comment: what it is, for whom, what it costs, wher
 }
 
 TEST_CASE("each finds at least 85 % of a generated scene's visible pixels within 1 px") {
-  const xgm::testing::SyntheticScene scene = xgm::testing::sample_scene();
+  const xgm::testing::SyntheticScene scene = xgm::synthesis::sample_pair();
   for (const auto& file : shipped()) {
     Observer silent;
     const MatchRequest request{

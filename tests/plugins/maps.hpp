@@ -36,7 +36,7 @@ inline DisparityMap random_map(cv::Size size, const MapRecipe& recipe, std::uint
       if (invalid) {
         map.invalidate(y, x, reasons[kind % reasons.size()]);
       } else {
-        map.set(y, x, static_cast<float>(value), kind % 8 == 0 ? Status::filled : Status::valid);
+        map.set(y, x, static_cast<float>(value), kind % 8 == 0 ? Status::filled : Status::matched);
       }
     }
   }
@@ -59,7 +59,7 @@ inline bool is_consistent(const DisparityMap& map) {
   if (map.disparity.size() != map.status.size()) return false;
   for (int y = 0; y < map.size().height; ++y) {
     for (int x = 0; x < map.size().width; ++x) {
-      if (std::isfinite(map.disparity(y, x)) != map.valid(y, x)) return false;
+      if (std::isfinite(map.disparity(y, x)) != map.has_disparity(y, x)) return false;
     }
   }
   return true;

@@ -80,7 +80,7 @@ bool identical(const DisparityMap& a, const DisparityMap& b) {
   for (int y = 0; y < a.size().height; ++y) {
     for (int x = 0; x < a.size().width; ++x) {
       if (a.at(y, x) != b.at(y, x)) return false;
-      if (a.valid(y, x) && a.disparity(y, x) != b.disparity(y, x)) return false;
+      if (a.has_disparity(y, x) && a.disparity(y, x) != b.disparity(y, x)) return false;
     }
   }
   return true;

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "xgm/pipeline.hpp"
+#include "xgm/pipeline/pipeline.hpp"
 #include "xgm/plugin.hpp"
 #include "xgm/testing/random.hpp"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // More global matching: each path also listens to its neighbour path (the paper's Eq. 6).
 #include "plugins/aggregation/mgm/passes.hpp"
-#include "plugins/aggregation/shared/aggregate.hpp"
-#include "plugins/aggregation/shared/needs.hpp"
-#include "plugins/aggregation/shared/parameters.hpp"
+#include "plugins/aggregation/path_engine/aggregate.hpp"
+#include "plugins/aggregation/path_engine/needs.hpp"
+#include "plugins/aggregation/path_engine/parameters.hpp"
 #include "xgm/plugin.hpp"
 
 namespace {

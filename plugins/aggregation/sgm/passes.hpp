@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "plugins/aggregation/shared/pass.hpp"
+#include "plugins/aggregation/path_engine/pass.hpp"
 
 namespace xgm::sgm {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Semi-global matching: costs aggregated along straight paths (the paper's Eq. 3 and 4).
+#include "plugins/aggregation/path_engine/aggregate.hpp"
+#include "plugins/aggregation/path_engine/needs.hpp"
+#include "plugins/aggregation/path_engine/parameters.hpp"
 #include "plugins/aggregation/sgm/passes.hpp"
-#include "plugins/aggregation/shared/aggregate.hpp"
-#include "plugins/aggregation/shared/needs.hpp"
-#include "plugins/aggregation/shared/parameters.hpp"
 #include "xgm/plugin.hpp"
 
 namespace {

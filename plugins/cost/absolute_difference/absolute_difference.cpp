@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "plugins/cost/absolute_difference/difference.hpp"
-#include "plugins/cost/shared/truncated_mean.hpp"
+#include "plugins/cost/candidate_costs/truncated_mean.hpp"
 #include "xgm/plugin.hpp"
 
 namespace {

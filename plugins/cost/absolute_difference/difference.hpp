@@ -2,7 +2,7 @@
 // |a - b| of grey levels: the inner loop of the cost.
 #pragma once
 
-#include "plugins/cost/shared/candidates.hpp"
+#include "plugins/cost/candidate_costs/candidates.hpp"
 
 namespace xgm::absolute_difference {
 

@@ -2,14 +2,14 @@
 #include <cmath>
 
 #include "plugins/cost/absolute_difference/difference.hpp"
-#include "plugins/cost/shared/truncated_mean.hpp"
+#include "plugins/cost/candidate_costs/truncated_mean.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "plugins/cost/absolute_difference/difference_kernel.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "plugins/cost/shared/truncated_mean-inl.hpp"
+#include "plugins/cost/candidate_costs/truncated_mean-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace xgm::absolute_difference::HWY_NAMESPACE {

@@ -3,7 +3,7 @@
 // sampled.
 #include "plugins/cost/birchfield_tomasi/dissimilarity.hpp"
 #include "plugins/cost/birchfield_tomasi/intensity_range.hpp"
-#include "plugins/cost/shared/truncated_mean.hpp"
+#include "plugins/cost/candidate_costs/truncated_mean.hpp"
 #include "xgm/plugin.hpp"
 
 namespace {

@@ -2,7 +2,7 @@
 // The publication's dissimilarity of pixels: the inner loop of the cost.
 #pragma once
 
-#include "plugins/cost/shared/candidates.hpp"
+#include "plugins/cost/candidate_costs/candidates.hpp"
 
 namespace xgm::birchfield_tomasi {
 

@@ -4,14 +4,14 @@
 
 #include "plugins/cost/birchfield_tomasi/dissimilarity.hpp"
 #include "plugins/cost/birchfield_tomasi/intensity_range.hpp"
-#include "plugins/cost/shared/truncated_mean.hpp"
+#include "plugins/cost/candidate_costs/truncated_mean.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "plugins/cost/birchfield_tomasi/dissimilarity_kernel.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "plugins/cost/shared/truncated_mean-inl.hpp"
+#include "plugins/cost/candidate_costs/truncated_mean-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace xgm::birchfield_tomasi::HWY_NAMESPACE {

@@ -2,7 +2,7 @@
 // Which grey levels a pixel takes within half a pixel to the left and to the right.
 #pragma once
 
-#include "plugins/cost/shared/candidates.hpp"
+#include "plugins/cost/candidate_costs/candidates.hpp"
 
 namespace xgm::birchfield_tomasi {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Cost "census": how many neighbours are darker than the centre in one view but not in the other.
+#include "plugins/cost/candidate_costs/candidates.hpp"
 #include "plugins/cost/census/hamming.hpp"
 #include "plugins/cost/census/transform.hpp"
-#include "plugins/cost/shared/candidates.hpp"
 #include "xgm/plugin.hpp"
 
 namespace {

@@ -38,7 +38,7 @@ struct Planes {
 };
 
 // A number of planes that is not known at compile time, and the largest.
-constexpr int kAny = 0, kMostPlanes = 32;
+constexpr int kAny = 0, kMaxPlanes = 32;
 
 /// The base pixel's candidates: planes of the first one, and where it says that there is none.
 struct Candidates {
@@ -52,7 +52,7 @@ HWY_INLINE void write_slice(D d, int plane_count, const Planes& pixel, const Can
                             int room, std::uint8_t* cells) {
   constexpr int kLanes = static_cast<int>(hn::MaxLanes(d));
   const int planes = kPlanes == kAny ? plane_count : kPlanes;
-  hn::Vec<D> own[kPlanes == kAny ? kMostPlanes : kPlanes];
+  hn::Vec<D> own[kPlanes == kAny ? kMaxPlanes : kPlanes];
   const std::uint8_t* byte = pixel.bytes;
   for (int k = 0; k < planes; ++k, byte += pixel.stride) own[k] = hn::Set(d, *byte);
   for (int end = kLanes;; end = std::min(end + kLanes, room)) {

@@ -2,7 +2,7 @@
 // The census transform of one image row: a bit string per pixel.
 #pragma once
 
-#include "plugins/cost/shared/candidates.hpp"
+#include "plugins/cost/candidate_costs/candidates.hpp"
 
 namespace xgm::census {
 

@@ -3,7 +3,7 @@
 // levels changes.
 #include <algorithm>
 
-#include "plugins/cost/shared/candidates.hpp"
+#include "plugins/cost/candidate_costs/candidates.hpp"
 #include "plugins/cost/zncc/correlation.hpp"
 #include "xgm/plugin.hpp"
 

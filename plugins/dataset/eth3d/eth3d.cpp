@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // ETH3D's low-resolution two-view scenes. Laid out as Middlebury's; known by the scenes' names.
-#include "plugins/dataset/shared/calib_txt.hpp"
-#include "plugins/dataset/shared/middlebury_layout.hpp"
+#include "plugins/dataset/file_layouts/calib_txt.hpp"
+#include "plugins/dataset/file_layouts/middlebury_layout.hpp"
 #include "xgm/plugin.hpp"
 
 namespace {

@@ -3,17 +3,17 @@
 #include <cmath>
 #include <filesystem>
 
+#include "plugins/dataset/file_layouts/calib_txt.hpp"
+#include "plugins/dataset/file_layouts/listing.hpp"
 #include "plugins/dataset/folder/pattern.hpp"
-#include "plugins/dataset/shared/calib_txt.hpp"
-#include "plugins/dataset/shared/listing.hpp"
 #include "xgm/plugin.hpp"
 
 namespace {
 
 using namespace xgm;
 
-constexpr double kMost = 1e6;
-constexpr double kLeast = 1e-6;
+constexpr double kMax = 1e6;
+constexpr double kMin = 1e-6;
 
 struct FolderParameters {
   std::string left, right, left_mask, right_mask;
@@ -46,12 +46,12 @@ void describe_truth(FolderParameters& p, ParameterSet& set) {
   set.add("truth_divisor", p.truth_divisor,
           "What the values of truth and visible_truth are divided by to give px, negative if they "
           "have the other sign than x_left - x_right; images of 8 or 16 bit need it, 0 = not said.")
-      .range(-kMost, kMost);
+      .range(-kMax, kMax);
   set.add("reverse_truth", p.reverse_truth, "True disparities of the right images.");
   set.add("reverse_truth_divisor", p.reverse_truth_divisor,
           "What their values are divided by to give px, negative if they are stored as positive "
           "numbers; images of 8 or 16 bit need it, 0 = not said: PFM is divided by -1.")
-      .range(-kMost, kMost);
+      .range(-kMax, kMax);
   set.add("visible_truth", p.visible_truth,
           "The truth of the left images without pixels that are hidden in the right ones.");
   set.add("non_occluded", p.non_occluded,
@@ -87,11 +87,11 @@ class Folder final : public Dataset {
     set.add("disparities", p.disparities,
             "Range to search [first, last], both included; without it ndisp of the calibration.")
         .unit("px")
-        .range(-kMost, kMost);
-    set.add("weight", p.weight, "Weight of each scene in averages.").range(kLeast, kMost);
+        .range(-kMax, kMax);
+    set.add("weight", p.weight, "Weight of each scene in averages.").range(kMin, kMax);
     set.add("scale", p.scale,
             "One pixel is so many of the resolution that errors are to be judged in.")
-        .range(kLeast, kMost);
+        .range(kMin, kMax);
     require_placeholders(p, set);
     const auto given = "must be given: a path such as '{scene}/left.png'";
     set.rule({"left"}, given, [&p] { return !p.left.empty(); });

@@ -5,7 +5,7 @@
 #include <optional>
 #include <regex>
 
-#include "plugins/dataset/shared/listing.hpp"
+#include "plugins/dataset/file_layouts/listing.hpp"
 
 namespace xgm::folder {
 namespace fs = std::filesystem;

@@ -2,8 +2,8 @@
 // KITTI's stereo benchmarks of 2012 and 2015: one folder per kind of file, one file per scene.
 #include <optional>
 
+#include "plugins/dataset/file_layouts/listing.hpp"
 #include "plugins/dataset/kitti/projection.hpp"
-#include "plugins/dataset/shared/listing.hpp"
 #include "xgm/plugin.hpp"
 
 namespace {

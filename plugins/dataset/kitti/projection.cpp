@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugins/dataset/kitti/projection.hpp"
 
-#include "plugins/dataset/shared/text_file.hpp"
+#include "plugins/dataset/file_layouts/text_file.hpp"
 #include "xgm/base/error.hpp"
 
 namespace xgm::kitti {

@@ -3,8 +3,8 @@
 // scene.
 #include <cmath>
 
-#include "plugins/dataset/shared/folders.hpp"
-#include "plugins/dataset/shared/middlebury_layout.hpp"
+#include "plugins/dataset/file_layouts/folders.hpp"
+#include "plugins/dataset/file_layouts/middlebury_layout.hpp"
 #include "xgm/plugin.hpp"
 
 namespace {

@@ -3,8 +3,8 @@
 #include <array>
 #include <fstream>
 
-#include "plugins/dataset/shared/folders.hpp"
-#include "plugins/dataset/shared/text_file.hpp"
+#include "plugins/dataset/file_layouts/folders.hpp"
+#include "plugins/dataset/file_layouts/text_file.hpp"
 #include "xgm/plugin.hpp"
 
 namespace {

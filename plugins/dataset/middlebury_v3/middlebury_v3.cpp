@@ -2,9 +2,9 @@
 // Middlebury's evaluation version 3 and its 2014 set; any folder with im0 and im1.
 #include <algorithm>
 
+#include "plugins/dataset/file_layouts/calib_txt.hpp"
+#include "plugins/dataset/file_layouts/middlebury_layout.hpp"
 #include "plugins/dataset/middlebury_v3/benchmark.hpp"
-#include "plugins/dataset/shared/calib_txt.hpp"
-#include "plugins/dataset/shared/middlebury_layout.hpp"
 #include "xgm/plugin.hpp"
 
 namespace {

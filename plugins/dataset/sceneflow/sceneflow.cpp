@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <functional>
 
-#include "plugins/dataset/shared/listing.hpp"
+#include "plugins/dataset/file_layouts/listing.hpp"
 #include "xgm/plugin.hpp"
 
 namespace {

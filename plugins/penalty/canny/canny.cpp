@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
-#include "plugins/penalty/shared/describe.hpp"
+#include "plugins/penalty/step_penalties/describe.hpp"
 #include "xgm/plugin.hpp"
 
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Penalty "constant": P1 and P2 of the paper's Eq. 2, the same everywhere.
-#include "plugins/penalty/shared/describe.hpp"
+#include "plugins/penalty/step_penalties/describe.hpp"
 #include "xgm/plugin.hpp"
 
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "plugins/penalty/shared/describe.hpp"
-#include "plugins/penalty/shared/grey_view.hpp"
+#include "plugins/penalty/step_penalties/describe.hpp"
+#include "plugins/penalty/step_penalties/grey_view.hpp"
 #include "plugins/penalty/two_image_gradient/orientation.hpp"
 #include "xgm/plugin.hpp"
 

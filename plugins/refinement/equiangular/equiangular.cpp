@@ -2,7 +2,7 @@
 // Sub-pixel disparity from two lines of opposite slope through three sums (V-fit).
 #include <algorithm>
 
-#include "plugins/refinement/shared/three_point.hpp"
+#include "plugins/refinement/three_point/three_point.hpp"
 #include "xgm/plugin.hpp"
 
 namespace {

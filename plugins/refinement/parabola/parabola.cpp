@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sub-pixel disparity from the lowest point of a parabola through three sums (the paper's sec. 5).
-#include "plugins/refinement/shared/three_point.hpp"
+#include "plugins/refinement/three_point/three_point.hpp"
 #include "xgm/plugin.hpp"
 
 namespace {

@@ -2,8 +2,8 @@
 // Search range of Rothermel's original tSGM, as the paper tells it (section 3.3).
 #include <optional>
 
-#include "plugins/search_range/shared/window_extrema.hpp"
-#include "plugins/search_range/shared/window_ranks.hpp"
+#include "plugins/search_range/window_statistics/window_extrema.hpp"
+#include "plugins/search_range/window_statistics/window_ranks.hpp"
 #include "xgm/plugin.hpp"
 
 namespace {
@@ -16,7 +16,7 @@ std::optional<double> mean(const xgm::DisparityMap& map) {
   std::int64_t count = 0;
   for (int y = 0; y < map.size().height; ++y) {
     for (int x = 0; x < map.size().width; ++x) {
-      if (!map.valid(y, x)) continue;
+      if (!map.has_disparity(y, x)) continue;
       sum += map.disparity(y, x);
       ++count;
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Search range of the paper's tSGM and tMGM: local minimum and maximum (Eq. 7).
-#include "plugins/search_range/shared/window_extrema.hpp"
+#include "plugins/search_range/window_statistics/window_extrema.hpp"
 #include "xgm/plugin.hpp"
 
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Search range of the paper's refined tMGM-16: local percentiles (section 5).
-#include "plugins/search_range/shared/window_ranks.hpp"
+#include "plugins/search_range/window_statistics/window_ranks.hpp"
 #include "xgm/plugin.hpp"
 
 namespace {

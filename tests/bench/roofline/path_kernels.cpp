@@ -29,18 +29,18 @@ using Cells = hn::Vec<Tag<Cell> >;
 template <class Cell>
 struct Predecessor {
   const Cell* cells;
-  Cells<Cell> least, far;
+  Cells<Cell> minimum, far;
 
   HWY_INLINE Predecessor(PathSlice<Cell>& slice, Cell p2)
       : cells(slice.at(0)),
-        least(hn::Set(Tag<Cell>(), slice.least)),
-        far(hn::SaturatedAdd(least, hn::Set(Tag<Cell>(), p2))) {}
+        minimum(hn::Set(Tag<Cell>(), slice.minimum)),
+        far(hn::SaturatedAdd(minimum, hn::Set(Tag<Cell>(), p2))) {}
 
   HWY_INLINE Cells<Cell> term(int d, Cells<Cell> p1) const {
     const Tag<Cell> tag;
     const auto beside = hn::Min(hn::LoadU(tag, cells + d - 1), hn::LoadU(tag, cells + d + 1));
     const auto near = hn::Min(hn::Load(tag, cells + d), hn::SaturatedAdd(beside, p1));
-    return hn::Sub(hn::Min(near, far), least);
+    return hn::Sub(hn::Min(near, far), minimum);
   }
 };
 
@@ -76,22 +76,22 @@ HWY_INLINE void add_to(std::uint16_t* sums, Cells<std::uint8_t> term) {
   hn::Store(hn::Add(hn::Load(wide, next), high), wide, next);
 }
 
-HWY_INLINE std::uint16_t least_of(Cells<std::uint16_t> cells) {
+HWY_INLINE std::uint16_t min_of(Cells<std::uint16_t> cells) {
   return hn::GetLane(hn::MinOfLanes(Tag<std::uint16_t>(), cells));
 }
-HWY_INLINE std::uint8_t least_of(Cells<std::uint8_t> cells) {
+HWY_INLINE std::uint8_t min_of(Cells<std::uint8_t> cells) {
   const hn::RepartitionToWide<Tag<std::uint8_t> > wide;
   const auto pairs = hn::BitCast(wide, cells);
   const auto low = hn::And(pairs, hn::Set(wide, std::uint16_t{255}));
-  const auto least = hn::MinOfLanes(wide, hn::Min(low, hn::ShiftRight<8>(pairs)));
-  return static_cast<std::uint8_t>(hn::GetLane(least));
+  const auto minimum = hn::MinOfLanes(wide, hn::Min(low, hn::ShiftRight<8>(pairs)));
+  return static_cast<std::uint8_t>(hn::GetLane(minimum));
 }
 
 template <class Cell, bool kTwoTerms>
 struct Path {
   Predecessor<Cell> left, above;
   Cell* own;
-  Cells<Cell> least = hn::Set(Tag<Cell>(), static_cast<Cell>(-1));
+  Cells<Cell> minimum = hn::Set(Tag<Cell>(), static_cast<Cell>(-1));
 
   HWY_INLINE Path(PathBuffers<Cell>& buffers, int row, int path, int pixel)
       : left(slice(buffers, row, path, (pixel + kPixels - 1) % kPixels), buffers.p2),
@@ -110,7 +110,7 @@ struct Path {
     if constexpr (kTwoTerms) term = mean<Cell>(term, above.term(d, p1));
     const auto extended = hn::SaturatedAdd(cost, term);
     hn::Store(extended, Tag<Cell>(), own + d);
-    least = hn::Min(least, extended);
+    minimum = hn::Min(minimum, extended);
     return term;
   }
 };
@@ -124,7 +124,7 @@ HWY_INLINE void step_one(PathBuffers<Cell>& buffers, int row, int pixel) {
   for (int d = 0; d < kDisparities; d += static_cast<int>(hn::Lanes(Tag<Cell>()))) {
     add_to(sums + d, path.extend(d, load_costs(costs + d, Cell{}), p1));
   }
-  Path<Cell, kTwoTerms>::slice(buffers, row, 0, pixel).least = least_of(path.least);
+  Path<Cell, kTwoTerms>::slice(buffers, row, 0, pixel).minimum = min_of(path.minimum);
 }
 
 template <class Cell, bool kTwoTerms>
@@ -143,10 +143,10 @@ HWY_INLINE void step_four(PathBuffers<Cell>& buffers, int row, int pixel) {
     add_to(sums + d, first);
     add_to(sums + d, second);
   }
-  OnePath::slice(buffers, row, 0, pixel).least = least_of(a.least);
-  OnePath::slice(buffers, row, 1, pixel).least = least_of(b.least);
-  OnePath::slice(buffers, row, 2, pixel).least = least_of(c.least);
-  OnePath::slice(buffers, row, 3, pixel).least = least_of(e.least);
+  OnePath::slice(buffers, row, 0, pixel).minimum = min_of(a.minimum);
+  OnePath::slice(buffers, row, 1, pixel).minimum = min_of(b.minimum);
+  OnePath::slice(buffers, row, 2, pixel).minimum = min_of(c.minimum);
+  OnePath::slice(buffers, row, 3, pixel).minimum = min_of(e.minimum);
 }
 
 template <class Cell, bool kTwoTerms>
@@ -203,7 +203,7 @@ PathBuffers<Cell>::PathBuffers(std::uint64_t seed) {
       for (auto& slice : path) {
         slice.cells.fill(static_cast<Cell>(-1));
         std::copy(costs[0].begin(), costs[0].end(), slice.at(0));
-        slice.least = *std::min_element(costs[0].begin(), costs[0].end());
+        slice.minimum = *std::min_element(costs[0].begin(), costs[0].end());
       }
     }
   }

@@ -11,7 +11,7 @@
 namespace xgm::bench {
 
 inline constexpr int kDisparities = 256;
-inline constexpr int kMostPaths = 4;
+inline constexpr int kMaxPaths = 4;
 inline constexpr int kPixels = 4;   ///< that are gone through in a ring
 inline constexpr int kRounds = 16;  ///< of the ring, in one call of a kernel
 
@@ -20,7 +20,7 @@ template <class Cell>
 struct PathSlice {
   static constexpr int kPad = static_cast<int>(64 / sizeof(Cell));
   alignas(64) std::array<Cell, std::size_t{kPad + kDisparities + kPad}> cells;
-  Cell least;
+  Cell minimum;
 
   Cell* at(int d) { return cells.data() + kPad + d; }
 };
@@ -34,7 +34,7 @@ struct PathBuffers {
   alignas(64) std::array<std::array<std::uint8_t, kDisparities>, kPixels> costs;
   alignas(64) std::array<std::array<std::uint16_t, kDisparities>, kPixels> sums;
   /// Of the row in work and the one above, which change places in each round.
-  std::array<std::array<std::array<PathSlice<Cell>, kPixels>, kMostPaths>, 2> paths;
+  std::array<std::array<std::array<PathSlice<Cell>, kPixels>, kMaxPaths>, 2> paths;
 };
 
 extern template struct PathBuffers<std::uint8_t>;

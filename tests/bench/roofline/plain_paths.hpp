@@ -17,10 +17,10 @@ Cell add_up_to_largest(Cell a, Cell b) {
 }
 
 template <class Cell>
-Cell plain_term(const Cell* previous, Cell least, Cell p1, Cell p2) {
+Cell plain_term(const Cell* previous, Cell minimum, Cell p1, Cell p2) {
   const Cell near = add_up_to_largest(std::min(previous[-1], previous[1]), p1);
-  const Cell far = add_up_to_largest(least, p2);
-  return static_cast<Cell>(std::min(std::min(previous[0], near), far) - least);
+  const Cell far = add_up_to_largest(minimum, p2);
+  return static_cast<Cell>(std::min(std::min(previous[0], near), far) - minimum);
 }
 
 /// The mean, halves to even.
@@ -41,18 +41,18 @@ void plain_step(PathBuffers<Cell>& buffers, int row, int path, int pixel) {
   PathSlice<Cell>& own = slices[here];
   const std::uint8_t* cost = buffers.costs[here].data();
   std::uint16_t* sum = buffers.sums[here].data();
-  auto least = static_cast<Cell>(-1);
+  auto minimum = static_cast<Cell>(-1);
   for (int d = 0; d < kDisparities; ++d) {
-    Cell term = plain_term(left.at(d), left.least, buffers.p1, buffers.p2);
+    Cell term = plain_term(left.at(d), left.minimum, buffers.p1, buffers.p2);
     if constexpr (kTwoTerms) {
-      term = plain_mean(term, plain_term(above.at(d), above.least, buffers.p1, buffers.p2));
+      term = plain_mean(term, plain_term(above.at(d), above.minimum, buffers.p1, buffers.p2));
     }
     const Cell extended = add_up_to_largest(static_cast<Cell>(cost[d]), term);
     *own.at(d) = extended;
-    least = std::min(least, extended);
+    minimum = std::min(minimum, extended);
     sum[d] = static_cast<std::uint16_t>(sum[d] + term);
   }
-  own.least = least;
+  own.minimum = minimum;
 }
 
 template <class Cell, bool kTwoTerms, int kPaths>

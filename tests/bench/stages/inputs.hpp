@@ -7,7 +7,7 @@
 #include <string>
 
 #include "bench/bench.hpp"
-#include "xgm/pipeline.hpp"
+#include "xgm/pipeline/pipeline.hpp"
 #include "xgm/plugin.hpp"
 
 namespace xgm::bench {

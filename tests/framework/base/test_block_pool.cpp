@@ -14,8 +14,8 @@
 #include <new>
 #include <vector>
 
-#include "xgm/base/cells.hpp"
-#include "xgm/memory.hpp"
+#include "xgm/base/aligned_buffer.hpp"
+#include "xgm/base/memory.hpp"
 
 using namespace xgm;
 
@@ -182,19 +182,19 @@ TEST_CASE("without memory: std::bad_alloc, but first the free blocks are dropped
   CHECK_THROWS_AS(pool.take(SIZE_MAX / 4), std::bad_alloc);
 }
 
-TEST_CASE("volumes reuse memory while a CellReuse lives, and give it back afterwards") {
+TEST_CASE("volumes reuse memory while a BufferReuse lives, and give it back afterwards") {
   constexpr std::size_t kBytes = 64 * kMega;
   const auto use = [] {
-    const Cells cells = new_cells(kBytes);
+    const AlignedBuffer cells = new_buffer(kBytes);
     std::memset(cells.get(), 1, kBytes);
   };
   use();
   CHECK(faults_of(use) > 2);  // nothing is kept outside of runs
   const std::uint64_t before = resident_memory();
   {
-    const CellReuse run;
+    const BufferReuse run;
     use();
-    { const CellReuse another_run; }
+    { const BufferReuse another_run; }
     CHECK(faults_of(use) <= kFewFaults);
     CHECK(resident_memory() > before + kBytes / 2);
   }
@@ -202,11 +202,11 @@ TEST_CASE("volumes reuse memory while a CellReuse lives, and give it back afterw
 }
 
 TEST_CASE("cells of any size are aligned, and may outlive a run") {
-  Cells kept;
+  AlignedBuffer kept;
   for (const std::size_t bytes : {std::size_t{0}, std::size_t{1}, std::size_t{5000}, 20 * kMega}) {
-    const CellReuse run;
-    kept = new_cells(bytes);
-    CHECK(reinterpret_cast<std::uintptr_t>(kept.get()) % kCellAlignment == 0);
+    const BufferReuse run;
+    kept = new_buffer(bytes);
+    CHECK(reinterpret_cast<std::uintptr_t>(kept.get()) % kBufferAlignment == 0);
   }
   std::memset(kept.get(), 1, 20 * kMega);
 }

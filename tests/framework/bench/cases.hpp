@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "xgm/bench.hpp"
+#include "xgm/evaluation/bench.hpp"
 
 namespace xgm::testing {
 

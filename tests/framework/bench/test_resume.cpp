@@ -6,10 +6,10 @@
 #include <limits>
 
 #include "support/temporary_folder.hpp"
-#include "xgm/bench_tables.hpp"
+#include "xgm/evaluation/bench_tables.hpp"
+#include "xgm/evaluation/run_record.hpp"
 #include "xgm/io/image_io.hpp"
 #include "xgm/io/pfm.hpp"
-#include "xgm/run_record.hpp"
 
 using namespace xgm;
 using xgm::testing::contains;

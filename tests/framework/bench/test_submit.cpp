@@ -8,7 +8,7 @@
 
 #include "framework/bench/cases.hpp"
 #include "support/temporary_folder.hpp"
-#include "xgm/bench_submission.hpp"
+#include "xgm/evaluation/bench_submission.hpp"
 #include "xgm/io/pfm.hpp"
 
 using namespace xgm;

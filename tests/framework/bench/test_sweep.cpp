@@ -6,7 +6,7 @@
 
 #include "support/support.hpp"
 #include "support/temporary_folder.hpp"
-#include "xgm/bench.hpp"
+#include "xgm/evaluation/bench.hpp"
 
 using namespace xgm;
 using xgm::testing::builtins;

@@ -10,7 +10,7 @@
 
 #include "framework/bench/cases.hpp"
 #include "support/temporary_folder.hpp"
-#include "xgm/bench_tables.hpp"
+#include "xgm/evaluation/bench_tables.hpp"
 
 using namespace xgm;
 using xgm::testing::contains;

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "support/fake_stages.hpp"
-#include "xgm/pipeline.hpp"
+#include "xgm/pipeline/pipeline.hpp"
 
 using namespace xgm;
 

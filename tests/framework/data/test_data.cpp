@@ -77,10 +77,10 @@ TEST_CASE("a volume may have more cells than 32 bits count") {
 
 TEST_CASE("a disparity is finite exactly where the status says so") {
   DisparityMap map({3, 2});
-  CHECK(map.valid_share() == 0);
+  CHECK(map.density() == 0);
   map.set(0, 1, -4.5f);
   map.set(1, 2, 3, Status::filled);
-  CHECK(map.valid_share() == doctest::Approx(2.0 / 6));
+  CHECK(map.density() == doctest::Approx(2.0 / 6));
   map.invalidate(0, 1, Status::peak);
   CHECK(std::isnan(map.disparity(0, 1)));
   CHECK(map.at(0, 1) == Status::peak);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "support/support.hpp"
-#include "xgm/explain.hpp"
+#include "xgm/evaluation/explain.hpp"
 #include "xgm/testing/synthetic.hpp"
 
 namespace xgm::testing {
@@ -33,7 +33,7 @@ inline Pipeline loaded(const std::string& yaml) {
 inline Explained explain_all(const Pipeline& pipeline, const ImagePair& pair,
                              const DisparityRange& range, const cv::Mat1f& truth = {}) {
   Explainer explainer(pair.size(), all_pixels(pair.size()), truth);
-  MatchResult result = pipeline.run({pair, range, std::nullopt}, explainer);
+  MatchResult result = pipeline.run({pair, range, std::nullopt}, {.observer = &explainer});
   return {std::move(result), explainer.explanations()};
 }
 

@@ -110,7 +110,7 @@ TEST_CASE("the range of each level is what its volume was made for") {
   const DisparityRange range = DisparityRange::uniform(scene.pair.size(), scene.disparities);
   const Explained explained = explain_all(pipeline, scene.pair, range);
   Shapes recorder;
-  pipeline.run({scene.pair, range, std::nullopt}, recorder);
+  pipeline.run({scene.pair, range, std::nullopt}, {.observer = &recorder});
   REQUIRE(recorder.shapes.size() == 6);
   for (const Explanation& pixel : explained.pixels) {
     REQUIRE(pixel.levels.size() == 3);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "xgm/io/scene.hpp"
+#include "xgm/synthesis/plain_scene.hpp"
 
 #include <doctest/doctest.h>
 
@@ -98,7 +99,7 @@ TEST_CASE("clip_to_width keeps what an image can show") {
 }
 
 TEST_CASE("the sample pair's truth lies in its range") {
-  const Scene scene = sample_scene();
+  const Scene scene = synthesis::sample_scene();
   REQUIRE(scene.disparities.has_value());
   REQUIRE(scene.truth.disparity.size() == scene.pair.size());
   double low = 0, high = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "xgm/lookup.hpp"
+#include "xgm/pipeline/lookup.hpp"
 
 #include <doctest/doctest.h>
 

@@ -8,7 +8,7 @@
 
 #include "support/support.hpp"
 #include "support/temporary_folder.hpp"
-#include "xgm/metrics.hpp"
+#include "xgm/evaluation/metrics.hpp"
 
 using namespace xgm;
 using xgm::testing::contains;
@@ -32,7 +32,7 @@ Case random_case(cv::Size size, std::uint64_t seed) {
       // Quarters: errors of exactly a threshold occur.
       if (random.integer(0, 4) > 0) {
         result.map.set(y, x, static_cast<float>(random.integer(-40, 40)) / 4,
-                       random.integer(0, 1) ? Status::valid : Status::filled);
+                       random.integer(0, 1) ? Status::matched : Status::filled);
       }
       result.truth(y, x) =
           random.integer(0, 4) ? static_cast<float>(random.integer(-40, 40)) / 4 : kNan;

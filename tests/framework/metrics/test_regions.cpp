@@ -7,7 +7,7 @@
 
 #include "support/support.hpp"
 #include "support/temporary_folder.hpp"
-#include "xgm/metrics.hpp"
+#include "xgm/evaluation/metrics.hpp"
 
 using namespace xgm;
 using xgm::testing::contains;

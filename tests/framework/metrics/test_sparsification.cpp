@@ -8,7 +8,7 @@
 
 #include "support/support.hpp"
 #include "support/temporary_folder.hpp"
-#include "xgm/sparsification.hpp"
+#include "xgm/evaluation/sparsification.hpp"
 
 using namespace xgm;
 using xgm::testing::contains;

@@ -40,7 +40,7 @@ struct Recorder : Observer {
 std::string error_of(const Pipeline& pipeline, const MatchRequest& request) {
   Recorder recorder;
   try {
-    pipeline.run(request, recorder);
+    pipeline.run(request, {.observer = &recorder});
   } catch (const Error& error) {
     return error.what();
   }
@@ -54,7 +54,7 @@ TEST_CASE("the observer sees every stage by its path, and progress that ends at 
       "matcher: {type: fake_matcher, cost: fake_cost, filters: [fake_filter]}\n"
       "postprocess: [fake_filter, fake_filter]");
   Recorder recorder;
-  const MatchResult result = pipeline.run(request(), recorder);
+  const MatchResult result = pipeline.run(request(), {.observer = &recorder});
   CHECK(recorder.begun ==
         std::vector<std::string>{"matcher=fake_matcher", "matcher.filters[0]=fake_filter",
                                  "postprocess[0]=fake_filter", "postprocess[1]=fake_filter"});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Plans keep the same books as runs: the same stages, and what they hold.
-#include "xgm/plan.hpp"
+#include "xgm/pipeline/plan.hpp"
 
 #include <doctest/doctest.h>
 
@@ -10,8 +10,8 @@
 #include "support/fake_stages.hpp"
 #include "support/support.hpp"
 #include "support/temporary_folder.hpp"
-#include "xgm/lookup.hpp"
-#include "xgm/run_record.hpp"
+#include "xgm/evaluation/run_record.hpp"
+#include "xgm/pipeline/lookup.hpp"
 #include "xgm/testing/synthetic.hpp"
 
 using namespace xgm;
@@ -48,7 +48,7 @@ TEST_CASE("a plan has the stages of a run, in their order") {
     CAPTURE(name);
     const Pipeline pipeline = shipped(name.substr(0, name.find('.')));
     RunRecorder recorder;
-    pipeline.run(request, recorder, 1);
+    pipeline.run(request, {.observer = &recorder, .threads = 1});
     const RunPlan plan = plan_run(pipeline, {.load = workload_of(request, 1)});
     REQUIRE(plan.stages.size() == recorder.stages().size());
     for (std::size_t i = 0; i < plan.stages.size(); ++i) {
@@ -122,9 +122,9 @@ TEST_CASE("the disparities that fit are found") {
   const Pipeline pipeline = shipped("sgm8");
   const PlanRequest request = dense({1000, 500}, 300);
   const double all = plan_run(pipeline, request).peak_bytes;
-  CHECK(most_disparities(pipeline, request, all) == 300);
-  CHECK(most_disparities(pipeline, request, 1e6) == 0);
-  const int fitting = most_disparities(pipeline, request, all / 2);
+  CHECK(max_disparities(pipeline, request, all) == 300);
+  CHECK(max_disparities(pipeline, request, 1e6) == 0);
+  const int fitting = max_disparities(pipeline, request, all / 2);
   CHECK(plan_run(pipeline, dense({1000, 500}, fitting)).peak_bytes <= all / 2 * 1.01);
   CHECK(plan_run(pipeline, dense({1000, 500}, fitting + 1)).peak_bytes > all / 2 * 0.99);
 }

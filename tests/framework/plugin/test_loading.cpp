@@ -9,7 +9,7 @@
 #include <set>
 
 #include "support/fake_stages.hpp"
-#include "xgm/pipeline.hpp"
+#include "xgm/pipeline/pipeline.hpp"
 #include "xgm/plugin/handshake.hpp"
 
 namespace fs = std::filesystem;
@@ -108,10 +108,9 @@ TEST_CASE("a sound plugin works beside all the broken ones, whatever the order")
 
     const LoadedPipeline loaded = load_with_filter("sound", registry);
     REQUIRE(loaded.pipeline);
-    Observer observer;
     const Image image(cv::Mat1f(2, 3, 0.0F));
-    const MatchResult result = loaded.pipeline->run(
-        {{image, image}, DisparityRange::uniform({3, 2}, {1, 2}), {}}, observer);
+    const MatchResult result =
+        loaded.pipeline->run({{image, image}, DisparityRange::uniform({3, 2}, {1, 2}), {}});
     CHECK(result.forward.disparity(1, 2) == 1.0F);
   }
 }

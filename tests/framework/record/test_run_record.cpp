@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "support/support.hpp"
-#include "xgm/memory.hpp"
-#include "xgm/run_record.hpp"
+#include "xgm/base/memory.hpp"
+#include "xgm/evaluation/run_record.hpp"
 
 using namespace xgm;
 

@@ -6,7 +6,7 @@
 #include <opencv2/core.hpp>
 #include <string>
 
-#include "xgm/report.hpp"
+#include "xgm/evaluation/report.hpp"
 
 namespace xgm::testing {
 

@@ -7,7 +7,7 @@
 
 #include "framework/report/page.hpp"
 #include "support/support.hpp"
-#include "xgm/pipeline.hpp"
+#include "xgm/pipeline/pipeline.hpp"
 
 using namespace xgm;
 using namespace xgm::testing;

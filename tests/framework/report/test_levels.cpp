@@ -4,8 +4,8 @@
 
 #include "framework/report/page.hpp"
 #include "support/support.hpp"
-#include "xgm/pipeline.hpp"
-#include "xgm/run_record.hpp"
+#include "xgm/evaluation/run_record.hpp"
+#include "xgm/pipeline/pipeline.hpp"
 #include "xgm/testing/synthetic.hpp"
 
 using namespace xgm;
@@ -22,7 +22,8 @@ std::vector<ReportLevel> levels_of(const std::string& matcher, const ImagePair& 
       load_pipeline_text("matcher: " + matcher, "p", Registry::with_builtins());
   REQUIRE(loaded.pipeline);
   LevelCollector collector;
-  loaded.pipeline->run({pair, DisparityRange::uniform(pair.size(), {0, 16}), {}}, collector);
+  loaded.pipeline->run({pair, DisparityRange::uniform(pair.size(), {0, 16}), {}},
+                       {.observer = &collector});
   return collector.levels();
 }
 

@@ -8,7 +8,7 @@
 #include "support/support.hpp"
 #include "support/temporary_folder.hpp"
 #include "xgm/base/simd.hpp"
-#include "xgm/bench_speed.hpp"
+#include "xgm/evaluation/speed.hpp"
 
 using namespace xgm;
 using xgm::testing::builtins;

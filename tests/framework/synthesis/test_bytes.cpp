@@ -5,7 +5,7 @@
 #include "support/support.hpp"
 #include "support/temporary_folder.hpp"
 #include "xgm/io/file.hpp"
-#include "xgm/synthesis.hpp"
+#include "xgm/synthesis/generate.hpp"
 
 using namespace xgm;
 using namespace xgm::synthesis;

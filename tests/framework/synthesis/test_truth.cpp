@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "support/support.hpp"
-#include "xgm/synthesis.hpp"
+#include "xgm/synthesis/generate.hpp"
 
 using namespace xgm;
 using namespace xgm::synthesis;

@@ -7,7 +7,7 @@
 #include "support/temporary_folder.hpp"
 #include "xgm/io/file.hpp"
 #include "xgm/io/scene.hpp"
-#include "xgm/synthesis.hpp"
+#include "xgm/synthesis/generate.hpp"
 
 using namespace xgm;
 using namespace xgm::synthesis;

@@ -66,10 +66,11 @@ class FaultyFilter final : public Filter {
     DisparityMap result = map.clone();
     for (int y = 0; y < map.size().height; ++y) {
       for (int x = 0; x < map.size().width; ++x) {
-        const bool missing_neighbour = x > 0 && !map.valid(y, x - 1);
-        if (fault_ == MapFault::status && !map.valid(y, x)) result.disparity(y, x) = 0;
-        if (fault_ == MapFault::unmasked && !map.valid(y, x)) result.set(y, x, 1, Status::filled);
-        if (fault_ == MapFault::lost && missing_neighbour && map.valid(y, x))
+        const bool missing_neighbour = x > 0 && !map.has_disparity(y, x - 1);
+        if (fault_ == MapFault::status && !map.has_disparity(y, x)) result.disparity(y, x) = 0;
+        if (fault_ == MapFault::unmasked && !map.has_disparity(y, x))
+          result.set(y, x, 1, Status::filled);
+        if (fault_ == MapFault::lost && missing_neighbour && map.has_disparity(y, x))
           result.invalidate(y, x, Status::peak);
       }
     }

@@ -199,7 +199,7 @@ TEST_CASE("synthetic: any size and range will do, nothing does not") {
 }
 
 TEST_CASE("synthetic: the sample pair is what the command line promises") {
-  const SyntheticScene scene = sample_scene();
+  const SyntheticScene scene = xgm::synthesis::sample_pair();
   CHECK(scene.pair.size() == cv::Size(640, 480));
   CHECK(scene.pair.base.planes.size() == 3);
   CHECK(scene.disparities == Interval{0, 64});

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "text/numbers.hpp"
-#include "text/shell.hpp"
+#include "xgm/base/shell.hpp"
+#include "xgm/base/text.hpp"
 
 using namespace xgm;
 

@@ -17,7 +17,7 @@ class KeepNear final : public xgm::Filter {
     xgm::DisparityMap result = map.clone();
     xgm::parallel_for(0, map.size().height, [&](int y) {
       for (int x = 0; x < map.size().width; ++x) {
-        const bool far = map.valid(y, x) && map.disparity(y, x) < p_.farthest;
+        const bool far = map.has_disparity(y, x) && map.disparity(y, x) < p_.farthest;
         if (far) result.invalidate(y, x, xgm::Status::out_of_range);
       }
     });

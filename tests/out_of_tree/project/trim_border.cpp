@@ -24,7 +24,7 @@ class TrimBorder final : public xgm::Filter {
     int lost = 0;
     for (int y = 0; y < map.size().height; ++y) {
       for (int x = 0; x < map.size().width; ++x) {
-        if (!map.valid(y, x) || kept.contains({x, y})) continue;
+        if (!map.has_disparity(y, x) || kept.contains({x, y})) continue;
         trimmed.invalidate(y, x, xgm::Status::out_of_range);
         ++lost;
       }

@@ -147,9 +147,9 @@ inline Sums less_minimum(const VolumeShape& shape, Sums sums) {
   for (int y = 0; y < shape.height(); ++y)
     for (int x = 0; x < shape.width(); ++x) {
       const auto begin = sums.begin() + shape.offset(y, x), end = begin + shape.count(y, x);
-      const double least = begin == end ? kInfinite : *std::min_element(begin, end);
-      if (least < kInfinite)
-        for (auto s = begin; s != end; ++s) *s -= least;
+      const double minimum = begin == end ? kInfinite : *std::min_element(begin, end);
+      if (minimum < kInfinite)
+        for (auto s = begin; s != end; ++s) *s -= minimum;
     }
   return sums;
 }

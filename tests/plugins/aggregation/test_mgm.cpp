@@ -86,7 +86,7 @@ TEST_CASE("mgm's passes hold every direction once, and visit what they need befo
     std::set<std::pair<int, int>> seen;
     std::vector<aggregation::Pass> all;
     for (const aggregation::Pass& pass : mgm::passes(directions))
-      std::ranges::copy(aggregation::both_ways(pass), std::back_inserter(all));
+      std::ranges::copy(aggregation::both_directions(pass), std::back_inserter(all));
     for (const aggregation::Pass& pass : all) {
       CHECK(pass.paths.size() == static_cast<std::size_t>(directions) / 4);
       for (const aggregation::Path& path : pass.paths) {

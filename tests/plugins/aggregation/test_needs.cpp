@@ -3,8 +3,8 @@
 #include <doctest/doctest.h>
 
 #include "plugins/aggregation/mgm/passes.hpp"
+#include "plugins/aggregation/path_engine/needs.hpp"
 #include "plugins/aggregation/sgm/passes.hpp"
-#include "plugins/aggregation/shared/needs.hpp"
 
 using namespace xgm;
 

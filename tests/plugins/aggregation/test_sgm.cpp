@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "inputs.hpp"
 #include "oracle.hpp"
+#include "plugins/aggregation/path_engine/aggregate.hpp"
 #include "plugins/aggregation/sgm/passes.hpp"
-#include "plugins/aggregation/shared/aggregate.hpp"
 
 using namespace xgm;
 using namespace xgm::testing;

@@ -3,8 +3,8 @@
 // code.
 #include "inputs.hpp"
 #include "plugins/aggregation/mgm/passes.hpp"
+#include "plugins/aggregation/path_engine/aggregate.hpp"
 #include "plugins/aggregation/sgm/passes.hpp"
-#include "plugins/aggregation/shared/aggregate.hpp"
 #include "xgm/base/simd.hpp"
 
 using namespace xgm;

@@ -30,10 +30,10 @@ int pointed(const DisparityMap& map, int y, int x) {
 /// Does the line of sight through x meet the disparity function of `other`?
 bool is_visible(const DisparityMap& other, double threshold, int y, int x) {
   for (int q = 0; q < other.size().width; ++q) {
-    if (!other.valid(y, q)) continue;
+    if (!other.has_disparity(y, q)) continue;
     const int here = pointed(other, y, q);
     if (here == x) return true;
-    if (q + 1 == other.size().width || !other.valid(y, q + 1)) continue;
+    if (q + 1 == other.size().width || !other.has_disparity(y, q + 1)) continue;
     const double jump = static_cast<double>(other.disparity(y, q)) - other.disparity(y, q + 1);
     const int there = pointed(other, y, q + 1);
     if (std::abs(jump) <= threshold && std::min(here, there) <= x && x <= std::max(here, there)) {
@@ -47,9 +47,9 @@ DisparityMap oracle(const DisparityMap& map, const DisparityMap& other, double t
   DisparityMap result = map.clone();
   for (int y = 0; y < map.size().height; ++y) {
     for (int x = 0; x < map.size().width; ++x) {
-      if (!map.valid(y, x)) continue;
+      if (!map.has_disparity(y, x)) continue;
       const int q = pointed(map, y, x);
-      const bool meets = q >= 0 && q < map.size().width && other.valid(y, q);
+      const bool meets = q >= 0 && q < map.size().width && other.has_disparity(y, q);
       if (meets &&
           std::abs(static_cast<double>(map.disparity(y, x)) + other.disparity(y, q)) <= threshold) {
         continue;
@@ -138,10 +138,10 @@ TEST_CASE("lrrl finds exactly the occluded band beside a square, in both views")
         const int q = x - far_disparity, q_reverse = x + far_disparity;
         const bool outside = q < 0 || q >= SquareScene::kWidth;
         const bool outside_reverse = q_reverse < 0 || q_reverse >= SquareScene::kWidth;
-        const Status forward = scene.hidden(y, x) || outside ? Status::occluded : Status::valid;
+        const Status forward = scene.hidden(y, x) || outside ? Status::occluded : Status::matched;
         REQUIRE(result.forward.at(y, x) == forward);
         const bool lost = scene.hidden_in_reverse(y, x) || outside_reverse;
-        REQUIRE(result.reverse->at(y, x) == (lost ? Status::occluded : Status::valid));
+        REQUIRE(result.reverse->at(y, x) == (lost ? Status::occluded : Status::matched));
       }
     }
   }
@@ -173,7 +173,7 @@ TEST_CASE("lrrl calls a wrong disparity mismatched where the other view sees the
   const MatchResult result = run("lrrl", forward, reverse);
   CHECK(result.forward.at(0, 15) == Status::mismatched);
   CHECK(result.forward.at(0, 3) == Status::occluded);  // sees beyond the match image
-  CHECK(result.forward.at(0, 4) == Status::valid);
+  CHECK(result.forward.at(0, 4) == Status::matched);
 }
 
 TEST_CASE("lrrl sees no gap where a slanted surface is stretched") {
@@ -205,18 +205,18 @@ TEST_CASE("lrrl checks each map against the other one unchecked") {
   const MatchResult other_way = run("lrrl", reverse, forward);
   CHECK(identical(one_way.forward, *other_way.reverse));
   CHECK(identical(*one_way.reverse, other_way.forward));
-  CHECK(!one_way.forward.valid(0, 5));
-  CHECK(one_way.forward.valid(0, 7));
+  CHECK(!one_way.forward.has_disparity(0, 5));
+  CHECK(one_way.forward.has_disparity(0, 7));
 }
 
 TEST_CASE("lrrl keeps a difference of exactly the threshold and rounds half pixels rightwards") {
   DisparityMap forward = uniform_map({9, 1}, 2), reverse = uniform_map({9, 1}, -3);
-  CHECK(run("lrrl", forward, reverse).forward.valid(0, 5));
-  CHECK(!run("{type: lrrl, threshold: 0.99}", forward, reverse).forward.valid(0, 5));
+  CHECK(run("lrrl", forward, reverse).forward.has_disparity(0, 5));
+  CHECK(!run("{type: lrrl, threshold: 0.99}", forward, reverse).forward.has_disparity(0, 5));
   forward.set(0, 5, 1.5F);  // x - d = 3.5: pixel 4
   reverse = uniform_map({9, 1}, 40);
   reverse.set(0, 4, -1.5F);
-  CHECK(run("lrrl", forward, reverse).forward.valid(0, 5));
+  CHECK(run("lrrl", forward, reverse).forward.has_disparity(0, 5));
 }
 
 TEST_CASE("lrrl calls occluded what points far beyond the other view") {
@@ -228,8 +228,8 @@ TEST_CASE("lrrl calls occluded what points far beyond the other view") {
   const MatchResult result = run("lrrl", forward, reverse);
   CHECK(result.forward.at(0, 2) == Status::occluded);
   CHECK(result.forward.at(0, 6) == Status::occluded);
-  CHECK(result.forward.valid(0, 4));
-  CHECK(result.reverse->valid(0, 4));
+  CHECK(result.forward.has_disparity(0, 4));
+  CHECK(result.reverse->has_disparity(0, 4));
 }
 
 TEST_CASE("lrrl without a reverse map says what to do") {

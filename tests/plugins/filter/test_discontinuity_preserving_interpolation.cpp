@@ -52,7 +52,7 @@ std::vector<float> seen_from(const DisparityMap& map, cv::Point p, int direction
       const bool step = square == 1 || square == 2 || (directions == 16 && square == 5);
       if (!step) continue;
       cv::Point q = p + cv::Point(dx, dy);
-      while (inside(map, q) && !map.valid(q.y, q.x)) q += cv::Point(dx, dy);
+      while (inside(map, q) && !map.has_disparity(q.y, q.x)) q += cv::Point(dx, dy);
       if (inside(map, q)) seen.push_back(map.disparity(q));
     }
   }
@@ -63,7 +63,7 @@ DisparityMap oracle(const Settings& s, const DisparityMap& map) {
   DisparityMap result = map.clone();
   for (int y = 0; y < map.size().height; ++y) {
     for (int x = 0; x < map.size().width; ++x) {
-      if (map.valid(y, x) || map.at(y, x) == Status::masked) continue;
+      if (map.has_disparity(y, x) || map.at(y, x) == Status::masked) continue;
       std::vector<float> seen = seen_from(map, {x, y}, s.directions);
       if (seen.empty()) continue;
       std::sort(seen.begin(), seen.end());

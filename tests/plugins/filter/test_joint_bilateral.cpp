@@ -36,7 +36,7 @@ std::map<float, double> votes(const Settings& s, const DisparityMap& map, const 
   for (int v = 0; v < map.size().height; ++v) {
     for (int u = 0; u < map.size().width; ++u) {
       if (std::abs(u - x) > s.radius || std::abs(v - y) > s.radius) continue;
-      if (!map.valid(v, u) || !guide.is_valid(v, u)) continue;
+      if (!map.has_disparity(v, u) || !guide.is_valid(v, u)) continue;
       double colour = 0;
       for (const cv::Mat1f& plane : guide.planes) {
         colour += std::abs(static_cast<double>(plane(v, u)) - static_cast<double>(plane(y, x)));
@@ -81,7 +81,7 @@ void for_each_pixel(const DisparityMap& map, const ImagePair& pair, const Dispar
   for (int y = 0; y < map.size().height; ++y) {
     for (int x = 0; x < map.size().width; ++x) {
       REQUIRE(result.at(y, x) == map.at(y, x));
-      if (map.valid(y, x) && pair.base.is_valid(y, x)) check(y, x);
+      if (map.has_disparity(y, x) && pair.base.is_valid(y, x)) check(y, x);
     }
   }
 }
@@ -184,7 +184,7 @@ std::pair<DisparityMap, ImagePair> awkward_scene(cv::Size size, int planes, doub
       const int kind = random.integer(0, 60);
       if (kind == 0) pair.base.planes.back()(y, x) = std::nanf("");
       if (kind == 1) pair.base.planes[0](y, x) = 255.0F;
-      if (!map.valid(y, x)) continue;
+      if (!map.has_disparity(y, x)) continue;
       if (kind < 6) map.set(y, x, kind % 2 == 0 ? -0.0F : 0.0F);
       if (kind == 6) map.set(y, x, std::numeric_limits<float>::max());
       if (kind == 7) map.set(y, x, std::numeric_limits<float>::lowest());

@@ -22,12 +22,12 @@ DisparityMap oracle(int window, const DisparityMap& map) {
   DisparityMap result = map.clone();
   for (int y = 0; y < map.size().height; ++y) {
     for (int x = 0; x < map.size().width; ++x) {
-      if (!map.valid(y, x)) continue;
+      if (!map.has_disparity(y, x)) continue;
       std::vector<float> values;
       for (int v = 0; v < map.size().height; ++v) {
         for (int u = 0; u < map.size().width; ++u) {
           const bool inside = std::abs(u - x) <= window / 2 && std::abs(v - y) <= window / 2;
-          if (inside && map.valid(v, u)) values.push_back(map.disparity(v, u));
+          if (inside && map.has_disparity(v, u)) values.push_back(map.disparity(v, u));
         }
       }
       std::sort(values.begin(), values.end());

@@ -22,7 +22,8 @@ DisparityMap run(int min_size, double max_difference, const DisparityMap& map) {
 DisparityMap oracle(int min_size, double max_difference, const DisparityMap& map) {
   cv::Mat1i label(map.size(), -1);
   for (int i = 0; i < static_cast<int>(label.total()); ++i) {
-    if (map.valid(i / label.cols, i % label.cols)) label(i / label.cols, i % label.cols) = i;
+    if (map.has_disparity(i / label.cols, i % label.cols))
+      label(i / label.cols, i % label.cols) = i;
   }
   for (bool changed = true; changed;) {
     changed = false;
@@ -43,7 +44,7 @@ DisparityMap oracle(int min_size, double max_difference, const DisparityMap& map
   for (int y = 0; y < label.rows; ++y) {
     for (int x = 0; x < label.cols; ++x) {
       const int size = cv::countNonZero(label == label(y, x));
-      if (map.valid(y, x) && size < min_size) result.invalidate(y, x, Status::peak);
+      if (map.has_disparity(y, x) && size < min_size) result.invalidate(y, x, Status::peak);
     }
   }
   return result;
@@ -77,14 +78,14 @@ TEST_CASE("peak_removal: a slope is one segment, diagonal neighbours are two") {
   const DisparityMap slope = xgm::testing::drawn_map({"0123456789"});
   CHECK(identical(run(10, 1, slope), slope));
   const DisparityMap diagonal = xgm::testing::drawn_map({"9.", ".9"});
-  CHECK(run(2, 1, diagonal).valid_share() == 0.0);
+  CHECK(run(2, 1, diagonal).density() == 0.0);
 }
 
 TEST_CASE("peak_removal keeps a segment of exactly min_size and a winding one") {
   const DisparityMap map = xgm::testing::drawn_map({"55500", "00500", "05500", "05000", "05555"});
   const DisparityMap result = run(11, 1, map);
-  CHECK(result.valid(0, 0));
-  CHECK(result.valid(4, 4));
+  CHECK(result.has_disparity(0, 0));
+  CHECK(result.has_disparity(4, 4));
   CHECK(result.at(4, 0) == Status::peak);
   CHECK(run(12, 1, map).at(0, 0) == Status::peak);
 }
@@ -93,7 +94,7 @@ TEST_CASE("peak_removal done twice is peak_removal done once") {
   const DisparityMap map = xgm::testing::random_map({31, 22}, {-3, 3, 1, 0.2}, 4);
   const DisparityMap once = run(6, 1, map);
   CHECK(identical(run(6, 1, once), once));
-  CHECK(once.valid_share() < map.valid_share());
+  CHECK(once.density() < map.density());
 }
 
 TEST_CASE("peak_removal needs no stack for a segment of a million pixels") {
@@ -101,6 +102,6 @@ TEST_CASE("peak_removal needs no stack for a segment of a million pixels") {
   for (int y = 0; y < 1000; ++y) {
     for (int x = 0; x < 1500; ++x) map.set(y, x, static_cast<float>(x / 2));
   }
-  CHECK(run(1500 * 1000, 1, map).valid_share() == 1.0);
-  CHECK(run(1500 * 1000 + 1, 1, map).valid_share() == 0.0);
+  CHECK(run(1500 * 1000, 1, map).density() == 1.0);
+  CHECK(run(1500 * 1000 + 1, 1, map).density() == 0.0);
 }

@@ -69,7 +69,7 @@ TEST_CASE("a pyramid finds the shift of a textured pair at every scale") {
         int right = 0;
         for (int y = 0; y < size.height; ++y) {
           for (int x = 30; x < 100; ++x) {
-            right += map.valid(y, x) && std::abs(map.disparity(y, x) - float(shift)) < 0.5F;
+            right += map.has_disparity(y, x) && std::abs(map.disparity(y, x) - float(shift)) < 0.5F;
           }
         }
         CHECK(right > 0.95 * 70 * 77);
@@ -87,7 +87,7 @@ TEST_CASE("a pyramid keeps every disparity within half a pixel of its limits") {
   int outside = 0;
   for (int y = 0; y < size.height; ++y) {
     for (int x = 0; x < size.width; ++x) {
-      if (!map.valid(y, x) || limits.at(y, x).empty()) continue;
+      if (!map.has_disparity(y, x) || limits.at(y, x).empty()) continue;
       // The median filter may carry a neighbour's disparity over; none leaves the hull.
       const float d = map.disparity(y, x);
       outside += d < float(limits.hull().begin) - 0.5F || d > float(limits.hull().end) - 0.5F;

@@ -84,12 +84,12 @@ TEST_CASE("opencv_sgbm equals cv::StereoSGBM called directly, in every mode") {
               const int seen = static_cast<int>(std::lround(static_cast<float>(x) - d));
               const bool valid =
                   d >= static_cast<float>(interval.begin) && seen >= 0 && seen < size.width;
-              wrong += map.valid(y, x) != valid;
-              if (valid && map.valid(y, x)) wrong += map.disparity(y, x) != d;
+              wrong += map.has_disparity(y, x) != valid;
+              if (valid && map.has_disparity(y, x)) wrong += map.disparity(y, x) != d;
             }
           }
           CHECK(wrong == 0);
-          CHECK(map.valid_share() > 0.4);  // else this proves little
+          CHECK(map.density() > 0.4);  // else this proves little
         }
       }
     }
@@ -114,7 +114,7 @@ TEST_CASE("padding makes the columns at the border matchable") {
   const auto plain = stage<Matcher>("{type: opencv_sgbm, pad: false}")->run(request, {}).forward;
   CHECK(padded.disparity(15, 12) == doctest::Approx(4));
   CHECK(plain.at(15, 12) == Status::out_of_range);
-  CHECK(padded.at(15, 1) != Status::valid);  // seen outside the match image
+  CHECK(padded.at(15, 1) != Status::matched);  // seen outside the match image
 }
 
 TEST_CASE("masked base pixels end as masked and masked match pixels match nothing") {
@@ -131,12 +131,12 @@ TEST_CASE("masked base pixels end as masked and masked match pixels match nothin
   for (int y = 10; y < 15; ++y) {
     for (int x = 0; x < size.width; ++x) {
       CHECK((map.at(y, x) == Status::masked) == (x >= 50 && x < 59));
-      if (!map.valid(y, x)) continue;
+      if (!map.has_disparity(y, x)) continue;
       const auto seen = std::lround(static_cast<float>(x) - map.disparity(y, x));
       CHECK((seen < 20 || seen >= 29));
     }
   }
-  CHECK(map.valid_share() > 0.6);
+  CHECK(map.density() > 0.6);
 }
 
 TEST_CASE("opencv_sgbm takes tiny images, wide ranges and empty ones in every mode") {

@@ -214,7 +214,7 @@ TEST_CASE("images smaller than the scale and ranges wider than the image work") 
           matcher->run({random_pair(size, 1), DisparityRange::uniform(size, hull), {}}, Context{});
       REQUIRE(asked().size() == 7);
       CHECK(result.forward.size() == size);
-      CHECK(result.forward.valid_share() == (hull.empty() ? 0.0 : 1.0));
+      CHECK(result.forward.density() == (hull.empty() ? 0.0 : 1.0));
     }
   }
 }

@@ -138,7 +138,7 @@ class LinearFilter final : public Filter {
     DisparityMap filtered(map.size());
     for (int y = 0; y < map.size().height; ++y) {
       for (int x = 0; x < map.size().width; ++x) {
-        const float d = map.valid(y, x) ? map.disparity(y, x) : 0.F;
+        const float d = map.has_disparity(y, x) ? map.disparity(y, x) : 0.F;
         filtered.set(y, x, factor_ * d + 1, Status::filled);
       }
     }

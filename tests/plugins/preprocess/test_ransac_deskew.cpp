@@ -7,7 +7,7 @@
 #include <opencv2/features2d.hpp>
 
 #include "support/support.hpp"
-#include "xgm/synthesis.hpp"
+#include "xgm/synthesis/generate.hpp"
 #include "xgm/testing/synthetic.hpp"
 
 using namespace xgm;

@@ -36,7 +36,7 @@ float refined(const std::string& yaml, const std::vector<int>& cells, int begin,
   DisparityMap map(cv::Size(1, 1));
   map.set(0, 0, disparity);
   const DisparityMap result = run(yaml, map, one_pixel(cells, begin));
-  CHECK(result.at(0, 0) == Status::valid);
+  CHECK(result.at(0, 0) == Status::matched);
   return result.disparity(0, 0);
 }
 
@@ -90,7 +90,7 @@ void check_against(const std::string& yaml, const Scene& scene, Shift shift) {
   for (int y = 0; y < shape.height(); ++y) {
     for (int x = 0; x < shape.width(); ++x) {
       REQUIRE(result.at(y, x) == scene.map.at(y, x));
-      if (!result.valid(y, x)) continue;
+      if (!result.has_disparity(y, x)) continue;
       const int d = static_cast<int>(scene.map.disparity(y, x));
       double expected = d;
       if (d > shape.begin(y, x) && d + 1 < shape.end(y, x)) {

@@ -35,7 +35,7 @@ inline DisparityMap random_coarse_map(cv::Size size, double low, double high, do
         map.invalidate(y, x, why);
       } else {
         map.set(y, x, static_cast<float>(d),
-                random.integer(0, 3) == 0 ? Status::filled : Status::valid);
+                random.integer(0, 3) == 0 ? Status::filled : Status::matched);
       }
     }
   }
@@ -48,7 +48,7 @@ inline std::vector<double> naive_window(const DisparityMap& map, int y, int x, i
   for (int v = y - window / 2; v <= y + window / 2; ++v) {
     for (int u = x - window / 2; u <= x + window / 2; ++u) {
       if (v < 0 || u < 0 || v >= map.size().height || u >= map.size().width) continue;
-      if (map.valid(v, u)) values.push_back(static_cast<double>(map.disparity(v, u)));
+      if (map.has_disparity(v, u)) values.push_back(static_cast<double>(map.disparity(v, u)));
     }
   }
   std::sort(values.begin(), values.end());

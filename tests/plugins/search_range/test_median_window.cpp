@@ -11,7 +11,7 @@ std::optional<double> naive_mean(const DisparityMap& map) {
   double sum = 0;
   for (int y = 0; y < map.size().height; ++y) {
     for (int x = 0; x < map.size().width; ++x) {
-      if (map.valid(y, x)) sum += static_cast<double>(map.disparity(y, x));
+      if (map.has_disparity(y, x)) sum += static_cast<double>(map.disparity(y, x));
     }
   }
   return sum / static_cast<double>(values.size());
@@ -19,7 +19,7 @@ std::optional<double> naive_mean(const DisparityMap& map) {
 
 NaiveRule median_window(int window, int relaxation, int median, int tau) {
   return [=](const DisparityMap& map, int y, int x) -> std::optional<NaiveProposal> {
-    if (map.valid(y, x)) {
+    if (map.has_disparity(y, x)) {
       const auto values = naive_window(map, y, x, window);
       return NaiveProposal{values.front(), values.back(), double(relaxation)};
     }

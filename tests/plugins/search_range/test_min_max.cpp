@@ -6,7 +6,7 @@ namespace {
 
 NaiveRule min_max(int window, int relaxation) {
   return [=](const DisparityMap& map, int y, int x) -> std::optional<NaiveProposal> {
-    if (!map.valid(y, x)) return std::nullopt;
+    if (!map.has_disparity(y, x)) return std::nullopt;
     const auto values = naive_window(map, y, x, window);
     return NaiveProposal{values.front(), values.back(), double(relaxation)};
   };

@@ -11,7 +11,7 @@ double nearest_rank(const std::vector<double>& ascending, double percentile) {
 
 NaiveRule percentile(int window, double low, double high, int relaxation) {
   return [=](const DisparityMap& map, int y, int x) -> std::optional<NaiveProposal> {
-    if (!map.valid(y, x)) return std::nullopt;
+    if (!map.has_disparity(y, x)) return std::nullopt;
     const auto values = naive_window(map, y, x, window);
     return NaiveProposal{nearest_rank(values, low), nearest_rank(values, high), double(relaxation)};
   };

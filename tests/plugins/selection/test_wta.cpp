@@ -127,7 +127,7 @@ TEST_CASE("wta and its uniqueness are what they are with every SIMD target") {
 TEST_CASE("wta takes the smallest of equal disparities, negative ones too") {
   const DisparityMap map = run("wta", one_pixel({9, 4, 7, 4, 4}, -6));
   CHECK(map.disparity(0, 0) == -5.0F);
-  CHECK(map.at(0, 0) == Status::valid);
+  CHECK(map.at(0, 0) == Status::matched);
 }
 
 TEST_CASE("wta says out_of_range where nothing can match") {
@@ -158,15 +158,15 @@ TEST_CASE("uniqueness does not see a constant added to a pixel's sums") {
       for (int& cell : cells) cell += constant;
       return cells;
     };
-    CHECK(run(yaml, one_pixel(shifted(unique), 0)).at(0, 0) == Status::valid);
+    CHECK(run(yaml, one_pixel(shifted(unique), 0)).at(0, 0) == Status::matched);
     CHECK(run(yaml, one_pixel(shifted(ambiguous), 0)).at(0, 0) == Status::ambiguous);
   }
 }
 
 TEST_CASE("uniqueness ignores the neighbours of the best and rejects flat sums") {
   const std::string yaml = "{type: wta, uniqueness: 1}";
-  CHECK(run(yaml, one_pixel({10, 10}, 0)).at(0, 0) == Status::valid);
-  CHECK(run(yaml, one_pixel({11, 10, 11, 90}, 0)).at(0, 0) == Status::valid);
+  CHECK(run(yaml, one_pixel({10, 10}, 0)).at(0, 0) == Status::matched);
+  CHECK(run(yaml, one_pixel({11, 10, 11, 90}, 0)).at(0, 0) == Status::matched);
   CHECK(run(yaml, one_pixel({10, 10, 10, 10}, 0)).at(0, 0) == Status::ambiguous);
-  CHECK(run(yaml, one_pixel({10, 65535, 65535}, 0)).at(0, 0) == Status::valid);
+  CHECK(run(yaml, one_pixel({10, 65535, 65535}, 0)).at(0, 0) == Status::matched);
 }

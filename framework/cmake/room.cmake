@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: Apache-2.0
+# xgm_add_room(<target> COMPONENT <name> [SOURCES <file>...] [NEEDS <room>...] [LIBRARIES <target>...]
+#              [PRECOMPILE <header>...])
+# A room is a shared library of all sources below src/, with its public headers below include/. It is
+# installed as a component of its own: find_package(xgm COMPONENTS <name>) gives xgm::<name>.
+set(XGM_CMAKE_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/xgm)
+function(xgm_add_room target)
+  cmake_parse_arguments(PARSE_ARGV 1 room "" "COMPONENT" "SOURCES;NEEDS;LIBRARIES;PRECOMPILE")
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/*.cpp)
+  add_library(${target} SHARED ${sources} ${room_SOURCES})
+  add_library(xgm::${room_COMPONENT} ALIAS ${target})
+  target_include_directories(${target}
+    PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
+           $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
+    PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_link_libraries(${target}
+    PUBLIC opencv_core ${room_NEEDS}
+    PRIVATE $<BUILD_INTERFACE:xgm_options> ${room_LIBRARIES})
+  xgm_precompile(${target} ${room_PRECOMPILE})
+  # Before 1.0 a minor version may change the binary interface. Libraries lie side by side.
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${room_COMPONENT}
+    VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
+    INSTALL_RPATH "$ORIGIN")
+  install(TARGETS ${target} EXPORT ${target}
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${room_COMPONENT})
+  install(EXPORT ${target} NAMESPACE xgm:: FILE xgm_${room_COMPONENT}.cmake
+    DESTINATION ${XGM_CMAKE_FOLDER} COMPONENT ${room_COMPONENT})
+  install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/include/xgm COMPONENT ${room_COMPONENT}
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN *.hpp)
+endfunction()

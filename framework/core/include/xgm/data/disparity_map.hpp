@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// A disparity per pixel, and why a pixel has none.
+#pragma once
+
+#include <cstdint>
+#include <opencv2/core.hpp>
+#include <string_view>
+
+#include "xgm/base/export.hpp"
+
+namespace xgm {
+
+/// Why a pixel has its disparity, or has none.
+enum class Status : std::uint8_t {
+  matched,       ///< has the disparity that the matcher found
+  filled,        ///< has a disparity that was interpolated, not matched
+  masked,        ///< no image data at this pixel
+  out_of_range,  ///< no disparity of the search range can be matched here
+  ambiguous,     ///< the best disparity is not clearly better than the others
+  occluded,      ///< fails the consistency check; hidden in the other view
+  mismatched,    ///< fails the consistency check, though visible in the other view
+  peak,          ///< belonged to a segment too small to be trusted
+};
+inline constexpr int kStatusCount = 8;
+
+/// As files and pictures call it: "valid" (matched), "filled", ...
+XGM_API std::string_view to_string(Status status);
+
+/// Whether pixels of this status have a disparity.
+constexpr bool has_disparity(Status status) {
+  return status == Status::matched || status == Status::filled;
+}
+
+/// Disparities in pixels, NaN where there is none, with a status per pixel that says why.
+/// Invariant: the disparity is finite exactly where has_disparity(status).
+class XGM_API DisparityMap {
+ public:
+  DisparityMap() = default;
+  /// All pixels NaN, with this status.
+  explicit DisparityMap(cv::Size size, Status status = Status::out_of_range);
+
+  cv::Size size() const { return disparity.size(); }
+  bool has_disparity(int y, int x) const { return xgm::has_disparity(at(y, x)); }
+  Status at(int y, int x) const { return static_cast<Status>(status(y, x)); }
+  void set(int y, int x, float value, Status why = Status::matched) {
+    disparity(y, x) = value;
+    status(y, x) = static_cast<std::uint8_t>(why);
+  }
+  /// Takes the disparity away and says why.
+  void invalidate(int y, int x, Status why);
+  /// Share of pixels that have a disparity, 0 to 1 (0 for an empty map).
+  double density() const;
+  /// A copy that shares no pixels with this map.
+  DisparityMap clone() const;
+  std::size_t bytes() const { return disparity.total() * (sizeof(float) + 1); }
+
+  cv::Mat1f disparity;  ///< pixels; x_match = x_base - disparity
+  cv::Mat1b status;     ///< one Status per pixel
+};
+
+}  // namespace xgm

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Kind "aggregation": from matching costs to sums that know the neighbourhood (the paper's Eq. 3 to
+// 6).
+#pragma once
+
+#include "xgm/stage/context.hpp"
+#include "xgm/stage/needs.hpp"
+#include "xgm/stage/penalty.hpp"
+#include "xgm/stage/stage.hpp"
+
+namespace xgm {
+
+class XGM_API Aggregation : public Stage {
+ public:
+  static constexpr std::string_view kKind = "aggregation";
+
+  /// S(p, d) for every cell of the costs' shape; kNoMatch exactly where the cost is kNoMatch.
+  virtual AggregatedVolume run(const CostVolume& costs, const PenaltyField& penalties,
+                               const Context& context) const = 0;
+
+  /// Whether pixels may have different ranges. If not, a pyramid refuses this aggregation.
+  virtual bool accepts_ragged_volumes() const { return true; }
+
+  /// What run() takes, for plans; the default: the volume, path costs of a few lines, 8 updates
+  /// per cell.
+  virtual Needs needs(const Workload& load) const;
+};
+
+}  // namespace xgm

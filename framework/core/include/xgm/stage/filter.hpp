@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Kind "filter": from a disparity map to a better one.
+#pragma once
+
+#include "xgm/stage/context.hpp"
+#include "xgm/stage/needs.hpp"
+#include "xgm/stage/stage.hpp"
+
+namespace xgm {
+
+class XGM_API Filter : public Stage {
+ public:
+  static constexpr std::string_view kKind = "filter";
+
+  /// `pair.base` is the view that `map` belongs to. Returns a map of the same size.
+  virtual DisparityMap run(const DisparityMap& map, const ImagePair& pair,
+                           const Context& context) const = 0;
+
+  /// What run() takes, for plans; the default: a map, as much beside it, one update per
+  /// pixel.
+  virtual Needs needs(const Workload& load) const;
+};
+
+}  // namespace xgm

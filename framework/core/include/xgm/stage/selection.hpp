@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Kind "selection": picks one disparity per pixel.
+#pragma once
+
+#include "xgm/stage/context.hpp"
+#include "xgm/stage/needs.hpp"
+#include "xgm/stage/stage.hpp"
+
+namespace xgm {
+
+class XGM_API Selection : public Stage {
+ public:
+  static constexpr std::string_view kKind = "selection";
+
+  /// Whole disparities of `sums`, or out_of_range where no cell can match.
+  virtual DisparityMap run(const AggregatedVolume& sums, const Context& context) const = 0;
+
+  /// What run() takes, for plans; the default: a map, one update per cell.
+  virtual Needs needs(const Workload& load) const;
+};
+
+}  // namespace xgm

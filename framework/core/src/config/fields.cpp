@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "config/fields.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <type_traits>
+
+#include "xgm/base/scalar.hpp"
+#include "xgm/base/suggest.hpp"
+
+namespace xgm {
+namespace {
+
+std::string number(double value) {
+  std::ostringstream text;
+  text.precision(12);
+  text << value;
+  return text.str();
+}
+
+std::string range_text(const Field& field) {
+  if (!field.minimum) return "";
+  return " from " + number(*field.minimum) + " to " + number(*field.maximum);
+}
+
+bool in_range(const Field& field, double value) {
+  const bool bounded = !field.minimum || (*field.minimum <= value && value <= *field.maximum);
+  const bool parity = !field.only_odd || std::fmod(value, 2.0) != 0.0;
+  return std::isfinite(value) && bounded && parity;
+}
+
+// The value of a scalar as T, or nothing. Quoted text is never a number.
+template <class T>
+std::optional<T> scalar_value(const Node& node) {
+  if (!node.is_scalar() || node.quoted) return std::nullopt;
+  if constexpr (std::is_same_v<T, bool>) {
+    return to_bool(node.scalar);
+  } else {
+    return to_number<T>(node.scalar);
+  }
+}
+
+class Binder {
+ public:
+  Binder(const Field& field, const Node& node, Diagnostics& diagnostics)
+      : field_(field), node_(node), diagnostics_(diagnostics) {}
+
+  bool operator()(bool* target) const {
+    const auto value = scalar_value<bool>(node_);
+    if (!value) return wrong_type(node_);
+    *target = *value;
+    return true;
+  }
+  template <class Number>
+  bool operator()(Number* target) const {
+    return number_of(node_, *target);
+  }
+  bool operator()(std::string* target) const {
+    if (!node_.is_scalar()) return wrong_type(node_);
+    *target = node_.scalar;
+    return true;
+  }
+  bool operator()(std::vector<double>* target) const {
+    if (!node_.is_list()) return wrong_type(node_);
+    std::vector<double> values(node_.items.size());
+    bool good = true;
+    for (std::size_t i = 0; i < values.size(); ++i) good &= number_of(node_.items[i], values[i]);
+    if (good) *target = std::move(values);
+    return good;
+  }
+  bool operator()(const Choice& choice) const {
+    if (!node_.is_scalar()) return wrong_type(node_);
+    const auto found = std::find(choice.names.begin(), choice.names.end(), node_.scalar);
+    if (found == choice.names.end()) {
+      return fault(node_, "'" + field_.name + "' cannot be " + spell(node_),
+                   suggest(node_.scalar, choice.names, "choices"));
+    }
+    choice.set(static_cast<std::size_t>(found - choice.names.begin()));
+    return true;
+  }
+  bool operator()(SlotBase*) const { return false; }
+  bool operator()(SlotListBase*) const { return false; }
+
+ private:
+  template <class Number>
+  bool number_of(const Node& node, Number& target) const {
+    const auto value = scalar_value<Number>(node);
+    if (!value) return wrong_type(node);
+    if (!in_range(field_, static_cast<double>(*value))) {
+      return fault(node, "'" + field_.name + "' cannot be " + number(static_cast<double>(*value)),
+                   "give " + expected(field_));
+    }
+    target = *value;
+    return true;
+  }
+  bool wrong_type(const Node& node) const {
+    return fault(node, "'" + field_.name + "' must be " + expected(field_) + ", not " + spell(node),
+                 node.quoted ? "remove the quotes if a number is meant" : "change the value");
+  }
+  bool fault(const Node& node, std::string message, std::string remedy) const {
+    report(diagnostics_, node.where, std::move(message), std::move(remedy));
+    return false;
+  }
+
+  const Field& field_;
+  const Node& node_;
+  Diagnostics& diagnostics_;
+};
+
+struct Expected {
+  const Field& field;
+
+  std::string operator()(const bool*) const { return "true or false"; }
+  std::string operator()(const int*) const {
+    return std::string(field.only_odd ? "an odd" : "a") + " whole number" + range_text(field);
+  }
+  std::string operator()(const double*) const { return "a number" + range_text(field); }
+  std::string operator()(const std::string*) const { return "text"; }
+  std::string operator()(const std::vector<double>*) const {
+    return "a list of numbers" + range_text(field);
+  }
+  std::string operator()(const Choice& choice) const { return "one of " + join(choice.names); }
+  std::string operator()(const SlotBase* slot) const {
+    return "a stage of kind " + std::string(slot->kind());
+  }
+  std::string operator()(const SlotListBase* slots) const {
+    return "a list of stages of kind " + std::string(slots->kind());
+  }
+};
+
+}  // namespace
+
+bool is_stage(const Field& field) { return std::holds_alternative<SlotBase*>(field.target); }
+bool is_stage_list(const Field& field) {
+  return std::holds_alternative<SlotListBase*>(field.target);
+}
+
+std::string_view stage_kind(const Field& field) {
+  return is_stage(field) ? std::get<SlotBase*>(field.target)->kind()
+                         : std::get<SlotListBase*>(field.target)->kind();
+}
+
+std::string expected(const Field& field) { return std::visit(Expected{field}, field.target); }
+
+bool bind_value(const Field& field, const Node& node, Diagnostics& diagnostics) {
+  return std::visit(Binder(field, node, diagnostics), field.target);
+}
+
+nlohmann::ordered_json value_of(const Field& field) {
+  if (const auto* choice = std::get_if<Choice>(&field.target)) return choice->names[choice->get()];
+  return std::visit(
+      [](const auto& target) -> nlohmann::ordered_json {
+        if constexpr (std::is_pointer_v<std::decay_t<decltype(target)>>) {
+          using Value = std::remove_pointer_t<std::decay_t<decltype(target)>>;
+          if constexpr (!std::is_abstract_v<Value>) return *target;
+        }
+        return nullptr;
+      },
+      field.target);
+}
+
+}  // namespace xgm

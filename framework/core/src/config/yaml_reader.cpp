@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+// YAML to Node. Works on parser events rather than on yaml-cpp's own tree, because that tree hides
+// duplicate keys, and shares aliased parts so that a short file can mean a huge one.
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/yaml.h>
+
+#include <map>
+#include <sstream>
+
+#include "config/node.hpp"
+
+namespace xgm {
+namespace {
+
+// Far above any sensible pipeline; stops files made to exhaust the machine.
+constexpr std::size_t kMaxNodes = 20000;
+constexpr std::size_t kDeepest = 100;
+
+// Thrown inside event handlers to leave the parser; becomes a diagnostic.
+struct Fault {
+  YAML::Mark mark;
+  std::string message, remedy;
+};
+
+class Builder final : public YAML::EventHandler {
+ public:
+  explicit Builder(std::string file) : file_(std::move(file)) {}
+
+  std::optional<Node> result() { return std::move(result_); }
+
+  void OnDocumentStart(const YAML::Mark&) override {}
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    add(make(Node::Kind::null, mark), mark, anchor);
+  }
+  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                const std::string& value) override {
+    Node node = make(Node::Kind::scalar, mark);
+    node.scalar = value;
+    node.quoted = tag == "!";
+    const bool says_null = !node.quoted && (value == "~" || value == "null" || value.empty());
+    if (says_null) node.kind = Node::Kind::null;
+    add(std::move(node), mark, anchor);
+  }
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    const auto known = anchors_.find(anchor);
+    if (known == anchors_.end()) {
+      throw Fault{mark, "this alias stands inside the very part that it repeats",
+                  "write that part out"};
+    }
+    nodes_ += count(known->second);
+    add(known->second, mark, 0);
+  }
+  void OnSequenceStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor,
+                       YAML::EmitterStyle::value) override {
+    open(make(Node::Kind::list, mark), anchor);
+  }
+  void OnSequenceEnd() override { close(); }
+  void OnMapStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor,
+                  YAML::EmitterStyle::value) override {
+    open(make(Node::Kind::map, mark), anchor);
+  }
+  void OnMapEnd() override { close(); }
+
+ private:
+  struct Open {
+    Node node;
+    YAML::anchor_t anchor;
+    std::optional<Entry> entry;  // of a map: the key read, whose value comes next
+  };
+
+  Node make(Node::Kind kind, const YAML::Mark& mark) const {
+    Node node;
+    node.kind = kind;
+    node.where = {file_, mark.line + 1, mark.column + 1};
+    return node;
+  }
+
+  static std::size_t count(const Node& node) {
+    std::size_t nodes = 1;
+    for (const Node& item : node.items) nodes += count(item);
+    for (const Entry& entry : node.entries) nodes += count(entry.value);
+    return nodes;
+  }
+
+  void open(Node node, YAML::anchor_t anchor) {
+    if (open_.size() >= kDeepest) {
+      throw Fault{{}, "nested too deeply", "a pipeline needs a few levels only"};
+    }
+    open_.push_back({std::move(node), anchor, std::nullopt});
+  }
+
+  void close() {
+    Open done = std::move(open_.back());
+    open_.pop_back();
+    add(std::move(done.node), {}, done.anchor);
+  }
+
+  // Puts a finished node where it belongs: into the innermost open list or map, or as the result.
+  void add(Node node, const YAML::Mark& mark, YAML::anchor_t anchor) {
+    if (++nodes_ > kMaxNodes) {
+      throw Fault{mark, "more than 20000 values", "is this a pipeline file?"};
+    }
+    if (anchor != 0) anchors_[anchor] = node;
+    if (open_.empty()) {
+      result_ = std::move(node);
+      return;
+    }
+    Open& parent = open_.back();
+    if (parent.node.is_list()) {
+      parent.node.items.push_back(std::move(node));
+    } else if (!parent.entry) {
+      if (!node.is_scalar()) {
+        throw Fault{mark, "a key must be a plain word, not " + spell(node), "write 'key: value'"};
+      }
+      parent.entry = Entry{node.scalar, node.where, {}};
+    } else {
+      parent.entry->value = std::move(node);
+      parent.node.entries.push_back(std::move(*parent.entry));
+      parent.entry.reset();
+    }
+  }
+
+  std::string file_;
+  std::vector<Open> open_;
+  std::map<YAML::anchor_t, Node> anchors_;
+  std::optional<Node> result_;
+  std::size_t nodes_ = 0;
+};
+
+std::optional<Node> parse(const std::string& text, const std::string& name) {
+  if (text.size() > kMaxYamlBytes) {
+    throw Fault{{}, "larger than 16 MB", "is this a pipeline file?"};
+  }
+  if (text.find('\0') != std::string::npos) {
+    throw Fault{{}, "holds zero bytes", "a pipeline is a text file in UTF-8"};
+  }
+  std::istringstream stream(text);
+  YAML::Parser parser(stream);
+  Builder builder(name);
+  if (!parser.HandleNextDocument(builder)) return Node{};
+  std::optional<Node> document = builder.result();
+  Builder rest(name);
+  if (parser.HandleNextDocument(rest)) {
+    throw Fault{{}, "holds more than one document", "remove the second '---' and what follows"};
+  }
+  return document;
+}
+
+}  // namespace
+
+std::optional<Node> read_yaml(const std::string& text, const std::string& name,
+                              Diagnostics& diagnostics) {
+  const auto locate = [&](const YAML::Mark& mark) {
+    return mark.is_null() ? Location{name} : Location{name, mark.line + 1, mark.column + 1};
+  };
+  try {
+    return parse(text, name);
+  } catch (const Fault& fault) {
+    const bool placed = fault.mark.line > 0 || fault.mark.column > 0;
+    report(diagnostics, placed ? locate(fault.mark) : Location{name}, fault.message, fault.remedy);
+  } catch (const YAML::Exception& error) {
+    report(diagnostics, locate(error.mark), "not valid YAML: " + error.msg,
+           "look at the indentation and at brackets and quotes left open");
+  }
+  return std::nullopt;
+}
+
+}  // namespace xgm

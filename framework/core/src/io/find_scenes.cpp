@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+// Finds the scenes in a folder: which data set it is, and what that makes of it.
+#include <algorithm>
+#include <filesystem>
+
+#include "plugin/binder.hpp"
+#include "xgm/base/error.hpp"
+#include "xgm/base/suggest.hpp"
+#include "xgm/io/file.hpp"
+#include "xgm/io/scene.hpp"
+#include "xgm/stage/dataset.hpp"
+
+namespace xgm {
+namespace fs = std::filesystem;
+namespace {
+
+struct Named {
+  std::string name;
+  std::shared_ptr<const Dataset> dataset;
+};
+
+/// Throws Error with all that is wrong with the text.
+Named bind_dataset(const std::string& yaml, const std::string& place, const Registry& registry) {
+  Diagnostics diagnostics;
+  const std::optional<Node> node = read_yaml(yaml, place, diagnostics);
+  Binder::BoundStage bound;
+  if (node) bound = Binder(registry, diagnostics).stage(*node, Dataset::kKind);
+  if (bound.stage) return {bound.plugin, std::dynamic_pointer_cast<const Dataset>(bound.stage)};
+  std::string message;
+  for (const Diagnostic& d : diagnostics) message += (message.empty() ? "" : "\n") + to_string(d);
+  throw Error(message);
+}
+
+Named bind_file(const std::string& file, const Registry& registry) {
+  return bind_dataset(read_file(file, kMaxYamlBytes), file, registry);
+}
+
+/// All that can be asked without parameters.
+std::vector<Named> datasets(const Registry& registry) {
+  std::vector<Named> found;
+  for (const PluginInfo* plugin : registry.plugins(Dataset::kKind)) {
+    Diagnostics wanting;
+    Node name;
+    name.kind = Node::Kind::scalar;
+    name.scalar = plugin->name;
+    const auto stage = Binder(registry, wanting).stage(name, Dataset::kKind).stage;
+    if (stage) found.push_back({plugin->name, std::dynamic_pointer_cast<const Dataset>(stage)});
+  }
+  return found;
+}
+
+/// What lacks an image is listed with the others, and fails only if it is matched.
+void note_missing_images(SceneFiles& scene) {
+  for (const std::string& file :
+       {scene.images.left, scene.images.right, scene.images.left_mask, scene.images.right_mask}) {
+    std::error_code unusable;
+    if (file.empty() || fs::is_regular_file(file, unusable)) continue;
+    scene.missing.push_back(file + ": without it the scene cannot be matched");
+  }
+}
+
+/// The data set's scenes, their names looked after.
+std::vector<SceneFiles> scenes_of(const Named& named, const std::string& folder) {
+  std::vector<SceneFiles> scenes = named.dataset->scenes(folder);
+  std::sort(scenes.begin(), scenes.end(),
+            [](const SceneFiles& a, const SceneFiles& b) { return a.name < b.name; });
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    scenes[i].dataset = named.name;
+    note_missing_images(scenes[i]);
+    if (i > 0 && scenes[i].name == scenes[i - 1].name) {
+      throw Error(folder + ": holds two scenes called '" + scenes[i].name + "'; rename one");
+    }
+  }
+  return scenes;
+}
+
+std::vector<SceneFiles> scenes_that_must_be(const Named& named, const std::string& folder) {
+  std::vector<SceneFiles> scenes = scenes_of(named, folder);
+  if (!scenes.empty()) return scenes;
+  throw Error(folder + ": data set " + named.name + " finds no scene here; it looks for " +
+              named.dataset->layout());
+}
+
+std::vector<SceneFiles> recognised(const std::string& folder, const Registry& registry) {
+  std::vector<std::string> names;
+  std::vector<SceneFiles> found;
+  std::string layouts;
+  for (const Named& named : datasets(registry)) {
+    layouts += "\n  " + named.name + ": " + named.dataset->layout();
+    std::vector<SceneFiles> scenes = scenes_of(named, folder);
+    if (scenes.empty()) continue;
+    names.push_back(named.name);
+    found = std::move(scenes);
+  }
+  if (names.size() == 1) return found;
+  if (names.empty()) {
+    throw Error(folder +
+                ": is no scene and holds none of a known layout; give such a folder, or write a "
+                "dataset.yaml into it. Known layouts:" +
+                layouts);
+  }
+  throw Error(folder + ": may be any of the data sets " + join(names) +
+              "; say which with --dataset NAME");
+}
+
+void require_folder(const std::string& folder) {
+  std::error_code unusable;
+  if (!fs::exists(folder, unusable)) throw Error(folder + ": no such folder; check the path");
+  if (!fs::is_directory(folder, unusable)) {
+    throw Error(folder + ": is a file; give the folder that holds the scene");
+  }
+}
+
+}  // namespace
+
+std::vector<SceneFiles> find_scenes(const std::string& folder, const Registry& registry,
+                                    const std::string& dataset) {
+  require_folder(folder);
+  std::error_code unusable;
+  if (fs::is_regular_file(dataset, unusable)) {
+    return scenes_that_must_be(bind_file(dataset, registry), folder);
+  }
+  if (dataset.ends_with(".yaml") || dataset.ends_with(".yml")) {
+    throw Error(dataset + ": no such file; check the path of the data set's description");
+  }
+  if (!dataset.empty()) {
+    return scenes_that_must_be(bind_dataset(dataset, "data set", registry), folder);
+  }
+  const std::string described = (fs::path(folder) / "dataset.yaml").string();
+  if (fs::exists(described, unusable)) {
+    return scenes_that_must_be(bind_file(described, registry), folder);
+  }
+  return recognised(folder, registry);
+}
+
+SceneFiles find_scene(const std::string& folder, const Registry& registry, const std::string& name,
+                      const std::string& dataset) {
+  const std::vector<SceneFiles> scenes = find_scenes(folder, registry, dataset);
+  if (name.empty() && scenes.size() == 1) return scenes.front();
+  const fs::path path = fs::absolute(folder).lexically_normal();
+  const std::string own = (path.has_filename() ? path : path.parent_path()).filename().string();
+  std::vector<std::string> names;
+  for (const SceneFiles& scene : scenes) {
+    if (scene.name == (name.empty() ? own : name)) return scene;
+    names.push_back(scene.name);
+  }
+  if (name.empty()) {
+    throw Error(folder + ": holds " + std::to_string(names.size()) +
+                " scenes; choose one with --scene NAME: " + join(names));
+  }
+  throw Error(folder + ": has no scene '" + name + "'; " + suggest(name, names, "scenes"));
+}
+
+}  // namespace xgm

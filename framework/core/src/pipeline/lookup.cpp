@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "xgm/pipeline/lookup.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "xgm/base/error.hpp"
+#include "xgm/base/suggest.hpp"
+
+namespace xgm {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* kEnding = ".yaml";
+
+bool is_path(const std::string& name) { return name.find('/') != std::string::npos; }
+
+}  // namespace
+
+std::vector<std::string> shipped_pipelines(const std::string& folder) {
+  std::vector<std::string> names;
+  std::error_code missing;
+  for (const auto& entry : fs::directory_iterator(folder, missing)) {
+    if (entry.path().extension() == kEnding) names.push_back(entry.path().filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string find_pipeline(const std::string& name, const std::string& folder) {
+  std::error_code unusable;  // a name too long or a link to itself is no file, and no exception
+  if (fs::is_directory(name, unusable)) {
+    throw Error(name +
+                ": is a folder, not a pipeline file; the pipeline comes first, the scene "
+                "second");
+  }
+  if (fs::exists(name, unusable)) return name;
+  if (!is_path(name) && !name.empty()) {
+    for (const std::string& candidate : {name, name + kEnding}) {
+      const fs::path file = fs::path(folder) / candidate;
+      if (file.extension() == kEnding && fs::is_regular_file(file, unusable)) return file.string();
+    }
+  }
+  const std::vector<std::string> names = shipped_pipelines(folder);
+  const std::string bare = fs::path(name).filename().string();
+  const std::string guess = suggest(bare.ends_with(kEnding) ? bare : bare + kEnding, names, "");
+  throw Error("'" + name + "' is neither a file nor a shipped pipeline; " +
+              (guess.starts_with("did you mean") ? guess + " " : "") +
+              (names.empty() ? "none are shipped in " + folder : "shipped are: " + join(names)));
+}
+
+std::vector<const PluginInfo*> find_plugins(const std::string& name, const Registry& registry) {
+  const std::size_t slash = name.find('/');
+  std::vector<const PluginInfo*> found;
+  if (slash == std::string::npos) {
+    found = registry.named(name);
+  } else {
+    require_kind(name.substr(0, slash));
+    const PluginInfo* plugin = registry.find(name.substr(0, slash), name.substr(slash + 1));
+    if (plugin != nullptr) found.push_back(plugin);
+  }
+  if (!found.empty()) return found;
+  for (const LoadFailure& failure : registry.failures()) {
+    if (failure.name == name) {
+      throw Error("plugin '" + name + "' could not be loaded from " + failure.file + ": " +
+                  failure.reason);
+    }
+  }
+  std::vector<std::string> names;
+  for (const PluginInfo* plugin : registry.plugins()) {
+    names.push_back(slash == std::string::npos ? plugin->name : plugin->kind + "/" + plugin->name);
+  }
+  throw Error("there is no plugin '" + name + "'; " + suggest(name, names, "plugins"));
+}
+
+void require_name(const std::string& what, const std::string& name,
+                  const std::vector<std::string>& names) {
+  if (std::find(names.begin(), names.end(), name) != names.end()) return;
+  throw Error("there is no " + what + " '" + name + "'; " + suggest(name, names, what + "s"));
+}
+
+void require_kind(const std::string& kind) {
+  std::vector<std::string> names;
+  for (const auto& [name, text] : Registry::kinds()) names.push_back(name);
+  require_name("kind", kind, names);
+}
+
+}  // namespace xgm

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// JSON Schema of pipeline files: what the binder accepts, as far as a schema can say it (relations
+// between parameters cannot be said).
+#include <nlohmann/json.hpp>
+
+#include "config/fields.hpp"
+#include "pipeline/graph.hpp"
+#include "xgm/pipeline/pipeline.hpp"
+#include "xgm/stage/dataset.hpp"
+
+namespace xgm {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json reference(std::string_view kind) { return {{"$ref", "#/definitions/" + std::string(kind)}}; }
+
+Json number(const Field& field, const char* type) {
+  Json json{{"type", type}};
+  if (field.minimum) {
+    json["minimum"] = *field.minimum;
+    json["maximum"] = *field.maximum;
+  }
+  if (field.only_odd) json["not"] = {{"multipleOf", 2}};
+  return json;
+}
+
+struct Describe {
+  const Field& field;
+
+  Json operator()(const bool*) const { return {{"type", "boolean"}}; }
+  Json operator()(const int*) const { return number(field, "integer"); }
+  Json operator()(const double*) const { return number(field, "number"); }
+  Json operator()(const std::string*) const { return {{"type", "string"}}; }
+  Json operator()(const std::vector<double>*) const {
+    return {{"type", "array"}, {"items", number(field, "number")}};
+  }
+  Json operator()(const Choice& choice) const { return {{"enum", choice.names}}; }
+  Json operator()(const SlotBase* slot) const {
+    if (!field.is_optional && field.default_stage_name.empty()) return reference(slot->kind());
+    return {{"anyOf", {reference(slot->kind()), {{"type", "null"}}}}};
+  }
+  Json operator()(const SlotListBase* slots) const {
+    return {{"type", {"array", "null"}}, {"items", reference(slots->kind())}};
+  }
+};
+
+bool is_required(const Field& field) {
+  return is_stage(field) && !field.is_optional && field.default_stage_name.empty();
+}
+
+Json object(const ParameterSet& set, Json properties, Json required) {
+  for (const Field& field : set.fields()) {
+    Json json = std::visit(Describe{field}, field.target);
+    json["description"] =
+        field.text + (field.unit_name.empty() ? "" : " [" + field.unit_name + "]");
+    if (!is_stage(field) && !is_stage_list(field)) json["default"] = value_of(field);
+    properties[field.name] = std::move(json);
+    if (is_required(field)) required.push_back(field.name);
+  }
+  return {{"type", "object"},
+          {"properties", std::move(properties)},
+          {"required", std::move(required)},
+          {"additionalProperties", false}};
+}
+
+// A stage is a bare name (if the plugin needs no nested stage) or a map with that type.
+Json stage_schema(const std::string& kind, const Registry& registry) {
+  Json names = Json::array(), alternatives = Json::array();
+  for (const PluginInfo* plugin : registry.plugins(kind)) {
+    const auto prototype = plugin->prototype();
+    Json map = object(prototype->parameters(), {{"type", {{"const", plugin->name}}}}, {"type"});
+    if (map["required"].size() == 1) names.push_back(plugin->name);
+    map["description"] = plugin->summary;
+    alternatives.push_back(std::move(map));
+  }
+  if (!names.empty()) alternatives.insert(alternatives.begin(), Json{{"enum", std::move(names)}});
+  if (alternatives.empty()) return {{"not", Json::object()}};
+  return {{"anyOf", std::move(alternatives)}};
+}
+
+}  // namespace
+
+std::string pipeline_schema(const Registry& registry) {
+  Json schema{{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", "xgm pipeline"}};
+  schema.update(object(pipeline_parameters(), Json::object(), Json::array()));
+  Json definitions = Json::object();
+  for (const auto& [kind, text] : Registry::kinds()) {
+    if (kind != Dataset::kKind) definitions[kind] = stage_schema(kind, registry);
+  }
+  schema["definitions"] = std::move(definitions);
+  return schema.dump(2);
+}
+
+}  // namespace xgm

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+// Many pipelines on many scenes: which runs there are, which are done already, what they amount to.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "xgm/base/export.hpp"
+#include "xgm/data/scene_files.hpp"
+#include "xgm/evaluation/metrics.hpp"
+#include "xgm/io/file.hpp"
+#include "xgm/pipeline/pipeline.hpp"
+
+namespace xgm {
+
+/// Values that a parameter is to have, one after the other.
+struct Sweep {
+  std::string path;                 ///< "matcher.scale"
+  std::vector<std::string> values;  ///< YAML
+};
+/// "matcher.scale=4,8". Commas within [], {}, () and quotes belong to a value. Throws Error.
+XGM_API Sweep parse_sweep(const std::string& text);
+
+/// One value for each swept parameter.
+struct SweepPoint {
+  std::string name;  ///< "+scale=4+directions=8"; "" without sweeps
+  std::vector<Override> overrides;
+};
+/// All combinations, the last sweep changing fastest; one empty point without sweeps. Throws Error
+/// if two sweeps have one path.
+XGM_API std::vector<SweepPoint> sweep_points(const std::vector<Sweep>& sweeps);
+
+/// A checked pipeline.
+struct BenchPipeline {
+  std::string name;  ///< "sgm8+directions=16"
+  std::string file;
+  std::vector<Override> overrides;
+  std::string resolved;                   ///< Pipeline::resolved_json()
+  std::optional<Interval> disparities{};  ///< Pipeline::disparities()
+};
+
+struct BenchScene {
+  std::string set;          ///< the scenes of one set are averaged
+  std::string data_folder;  ///< where find_scenes found it
+  SceneFiles files;
+  std::vector<FileIdentity> images{};  ///< of the images and their masks
+};
+
+/// What is to be run.
+struct BenchPlan {
+  std::string output;
+  std::vector<BenchPipeline> pipelines;
+  std::vector<BenchScene> scenes;
+  std::vector<FileIdentity> program{};  ///< a program built anew makes no results of the old one
+  int threads = 0;
+};
+
+/// The scenes of some folders, by find_scenes, none twice; those found in a folder are a set, and
+/// scenes that are given one by one are in that of the folder around them. Sets are called as their
+/// folders. With `names` only the scenes called so. Throws Error, also for a name that none has.
+XGM_API std::vector<BenchScene> find_bench_scenes(const std::vector<std::string>& folders,
+                                                  const Registry& registry,
+                                                  const std::string& dataset,
+                                                  const std::vector<std::string>& names);
+/// Reads the images of all scenes to tell later whether they are still the same. Throws Error.
+XGM_API void identify_images(std::vector<BenchScene>& scenes);
+/// Makes names unique and fit for folders, for pipelines called alike ("sgm8", "sgm8-2").
+XGM_API void name_folders(std::vector<BenchPipeline>& pipelines);
+/// What this program is made of, and the plugin files given.
+XGM_API std::vector<FileIdentity> identify_program(const std::vector<std::string>& plugins);
+
+/// How maps are judged.
+struct BenchRules {
+  std::vector<double> thresholds = usual_thresholds();  ///< px after scaling
+  double scale = 1;   ///< see EvaluationRules; 0: that of each scene
+  bool clip = false;  ///< benchmark_clip of the scene's disparities, where it has any
+  /// A region of evaluate_regions. Empty: "non-occluded", "all" where a scene does not tell them
+  /// apart.
+  std::string region;
+};
+
+enum class CellState { not_run, failed, done };
+
+/// One pipeline on one scene.
+struct BenchCell {
+  CellState state = CellState::not_run;
+  std::string failure;                      ///< why it failed
+  double seconds = 0;                       ///< of matching
+  double peak_bytes = 0;                    ///< of the run's process
+  double evaluations = 0;                   ///< width * height * disparities searched
+  double density = 0;                       ///< share of all pixels that have a disparity, 0 to 1
+  std::vector<RegionEvaluation> regions{};  ///< empty without truth
+};
+
+struct XGM_API BenchResult {
+  BenchPlan plan;
+  BenchRules rules;
+  std::vector<BenchCell> cells;  ///< scene by scene
+  bool interrupted = false;
+
+  const BenchCell& at(std::size_t pipeline, std::size_t scene) const {
+    return cells[scene * plan.pipelines.size() + pipeline];
+  }
+  std::size_t failures() const;
+  /// Whether some pipeline is done on the scene.
+  bool any_done(std::size_t scene) const;
+};
+
+/// What a run of one cell came to.
+struct RunOutcome {
+  bool interrupted = false;
+  std::string failure;  ///< empty if all went well
+};
+
+/// Where a bench stands.
+struct BenchProgress {
+  std::size_t number = 0;  ///< of the cell, from 1
+  std::size_t total = 0;
+  std::string pipeline, scene;
+  bool finished = false;     ///< else it begins now
+  const BenchCell* cell{};   ///< if finished
+  double seconds_left = -1;  ///< negative: nobody knows yet
+};
+
+struct BenchHooks {
+  /// Runs a pipeline on a scene, and leaves what `pipeline run` writes in the folder.
+  std::function<RunOutcome(const BenchPipeline&, const BenchScene&, const std::string& folder)> run;
+  std::function<void(const BenchProgress&)> tell = [](const BenchProgress&) {};
+};
+
+/// The folder of one cell: OUTPUT/PIPELINE/SET/SCENE.
+XGM_API std::string cell_folder(const BenchPlan& plan, std::size_t pipeline, std::size_t scene);
+
+/// Runs what is not done, scene by scene, and judges all maps by the truth as it is now. A cell is
+/// done if an earlier bench ran it with the same program, resolved pipeline, images, disparities
+/// and threads, and its files are as that run left them. Holds one map at a time. After an
+/// interruption only what is done is judged. Throws Error if the output cannot be written.
+XGM_API BenchResult run_bench(const BenchPlan& plan, const BenchRules& rules,
+                              const BenchHooks& hooks);
+
+}  // namespace xgm

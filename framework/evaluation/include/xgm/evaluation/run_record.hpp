@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// What happened in a run, and its record as JSON (run.json).
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "xgm/base/export.hpp"
+#include "xgm/evaluation/metrics.hpp"
+#include "xgm/io/dump.hpp"
+#include "xgm/io/scene.hpp"
+#include "xgm/pipeline/pipeline.hpp"
+
+namespace xgm {
+
+/// One call of one stage, in the order in which they began.
+struct StageRecord {
+  std::string path;
+  std::string plugin;
+  StageStatistics statistics;
+  bool finished = false;
+  std::vector<std::pair<std::string, double>> figures;  ///< what the stage reported
+};
+
+/// Collects what an observer is told. Programs that show progress too derive from it.
+class XGM_API RunRecorder : public Observer {
+ public:
+  void log(LogLevel level, const std::string& stage_path, const std::string& text) override;
+  void stage_begin(const std::string& stage_path, const std::string& plugin) override;
+  void stage_end(const std::string& stage_path, const StageStatistics& statistics,
+                 const Artifact& result) override;
+  void report(const std::string& stage_path, const std::string& name, double value) override;
+
+  const std::vector<StageRecord>& stages() const { return stages_; }
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
+ private:
+  std::vector<StageRecord> stages_;
+  std::vector<std::string> warnings_;
+};
+
+/// All that run.json holds.
+struct RunRecord {
+  std::string pipeline_file;
+  std::string resolved_pipeline;  ///< Pipeline::resolved_json()
+  std::vector<Override> overrides;
+  std::vector<std::string> command_line;
+
+  std::string scene;
+  std::vector<InputFile> inputs;
+  cv::Size size;
+  Interval disparities;          ///< hull of what was searched
+  std::string disparities_from;  ///< "command line", "calibration", "pipeline", ...
+  int threads = 0;
+
+  std::vector<StageRecord> stages;
+  std::vector<std::string> warnings;
+  std::vector<DumpedFile> dumps;
+  double reading_seconds = 0;
+  double matching_seconds = 0;
+  std::uint64_t peak_memory_bytes = 0;
+
+  double valid_share = 0;
+  std::array<double, kStatusCount> status_shares{};
+  std::vector<RegionEvaluation> truth;  ///< empty if nothing is known
+};
+
+/// The record as indented JSON, versions of xgm, OpenCV and the compiler included.
+XGM_API std::string to_json(const RunRecord& record);
+
+/// The files that were read, from the text of a run.json; empty if it is none.
+XGM_API std::vector<InputFile> recorded_inputs(const std::string& run_json);
+
+}  // namespace xgm

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// Follows the stages of a run and takes from what they are given and return what lies at the
+// chosen pixels.
+#pragma once
+
+#include <deque>
+#include <opencv2/core.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "xgm/evaluation/explain.hpp"
+
+namespace xgm::explain {
+
+/// What a matcher that holds no other did, for each of the pixels; those that have no counterpart
+/// in the reverse view are at x = -1.
+struct Match {
+  cv::Size size;
+  bool reverse = false;
+  std::vector<MatchExplanation> of;
+};
+
+class Watcher {
+ public:
+  Watcher(cv::Size size, std::vector<cv::Point> pixels);
+
+  void begin(const std::string& path, const std::string& plugin);
+  void input(const std::string& path, const Artifact& input);
+  void end(const std::string& path, const Artifact& result);
+  void report(const std::string& path, const std::string& name, double value);
+
+  cv::Size size() const { return size_; }
+  const std::vector<cv::Point>& pixels() const { return pixels_; }
+  const std::deque<Match>& matches() const { return matches_; }
+  const std::vector<ExplainedEvent>& events(std::size_t pixel) const { return events_[pixel]; }
+
+ private:
+  /// A stage that is running. The inputs are the caller's and live as long as it runs.
+  struct Frame {
+    std::string path, plugin;
+    cv::Size size;         ///< of the images it works on, as far as they are known
+    bool reverse = false;  ///< whether its base view is the match image of the run
+    bool holds_matcher = false;
+    const MatchRequest* request = nullptr;
+    const ImagePair* pair = nullptr;
+    const DisparityMap* map = nullptr;
+    const AggregatedVolume* sums = nullptr;
+    const MatchResult* maps = nullptr;
+    Match* match = nullptr;
+    std::string figures;
+  };
+
+  /// The map of one view at one size, as far as it has come.
+  struct Track {
+    cv::Size size;
+    bool reverse = false;
+    Match* match = nullptr;  ///< that made it
+    std::vector<cv::Point> at;
+    std::vector<std::optional<PixelState>> state;
+  };
+
+  Frame* open_frame(const std::string& path);
+  Frame* matcher_of(const Frame& frame);
+  bool other_view(const ImagePair& pair);
+  void take_request(Frame& frame, const MatchRequest& request);
+  void take_costs(Frame& frame, const CostVolume& costs);
+  void take_sums(Frame& frame, const AggregatedVolume& sums);
+
+  void images_returned(const Frame& frame, const ImagePair& result);
+  void range_returned(const Frame& frame, const DisparityRange& result);
+  void map_returned(Frame& frame, const DisparityMap& result);
+  void maps_returned(Frame& frame, const MatchResult& result);
+
+  Track& track(cv::Size size, bool reverse);
+  void start(Track& track);
+  cv::Point counterpart(const Track& forward, std::size_t i) const;
+  Match& match_of(Frame& matcher);
+  void follow(const Frame& frame, Track& track, const DisparityMap* before,
+              const DisparityMap& after);
+  void record(std::size_t i, const Frame& frame, const Track& track,
+              const std::optional<PixelState>& before, const PixelState& after);
+  void tell(std::size_t i, const Frame& frame, cv::Size size, Effect effect, std::string text);
+
+  cv::Size size_;
+  std::vector<cv::Point> pixels_;
+  std::vector<Frame> frames_;
+  std::deque<Track> tracks_;  // deques: elements stay where they are
+  std::deque<Match> matches_;
+  std::vector<std::vector<ExplainedEvent>> events_;
+  std::optional<bool> base_is_reverse_;
+  cv::Size announced_;  // the level whose range was told last
+};
+
+}  // namespace xgm::explain

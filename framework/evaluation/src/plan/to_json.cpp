@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "xgm/pipeline/plan.hpp"
+
+namespace xgm {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json stage_json(const PlannedStage& stage) {
+  return {{"stage", stage.path},
+          {"kind", stage.kind},
+          {"plugin", stage.plugin},
+          {"width", stage.load.size.width},
+          {"height", stage.load.size.height},
+          {"cells_per_pixel", stage.load.cells_per_pixel},
+          {"estimated", stage.load.estimated},
+          {"cells", std::round(stage.load.cells())},
+          {"updates", std::round(stage.needs.updates)},
+          {"moved_bytes", std::round(stage.needs.moved)},
+          {"memory_bytes", std::round(stage.memory)},
+          {"seconds", stage.seconds}};
+}
+
+}  // namespace
+
+std::string to_json(const RunPlan& plan, const PlanRequest& request) {
+  Json json{
+      {"width", request.load.size.width},
+      {"height", request.load.size.height},
+      {"planes", request.load.planes},
+      {"disparities", {{"first", request.load.range.begin}, {"last", request.load.range.end - 1}}},
+      {"threads", request.load.threads},
+      {"peak_memory_bytes", std::round(plan.peak_bytes)},
+      {"peak_stage", plan.peak_stage},
+      {"seconds", plan.seconds},
+      {"estimated", plan.estimated}};
+  if (request.experience.narrowing) {
+    json["narrowing"] = {{"spread", request.experience.narrowing->spread},
+                         {"lost", request.experience.narrowing->lost}};
+  }
+  json["stages"] = Json::array();
+  for (const PlannedStage& stage : plan.stages) json["stages"].push_back(stage_json(stage));
+  return json.dump(2) + "\n";
+}
+
+}  // namespace xgm

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <nlohmann/json.hpp>
+#include <opencv2/core/version.hpp>
+
+#include "metrics/evaluation_json.hpp"
+#include "record/inputs_json.hpp"
+#include "xgm/evaluation/run_record.hpp"
+#include "xgm/plugin/handshake.hpp"
+#include "xgm/plugin/version.hpp"
+
+namespace xgm {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kFormat = 1;  // raised when a reader of run.json would have to change
+
+Json versions() {
+  return {{"xgm", XGM_VERSION},
+          {"opencv", CV_VERSION},
+          {"compiler", __VERSION__},
+          {"build", XGM_BUILD_TAG}};
+}
+
+Json stages(const RunRecord& record) {
+  Json list = Json::array();
+  for (const StageRecord& stage : record.stages) {
+    Json entry = {{"stage", stage.path}, {"plugin", stage.plugin}};
+    if (stage.finished) {
+      entry["seconds"] = stage.statistics.seconds;
+      entry["bytes"] = stage.statistics.bytes;
+    }
+    for (const auto& [name, value] : stage.figures) entry["figures"][name] = value;
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+Json statuses(const RunRecord& record) {
+  Json shares;
+  for (int i = 0; i < kStatusCount; ++i) {
+    shares[std::string(to_string(static_cast<Status>(i)))] =
+        record.status_shares[static_cast<std::size_t>(i)];
+  }
+  return shares;
+}
+
+Json overrides(const RunRecord& record) {
+  Json list = Json::array();
+  for (const Override& change : record.overrides) {
+    list.push_back({{"path", change.path}, {"value", change.value}});
+  }
+  return list;
+}
+
+Json dumps(const RunRecord& record) {
+  Json list = Json::array();
+  for (const DumpedFile& dump : record.dumps) {
+    Json entry = {{"file", dump.file}, {"stage", dump.stage_path}};
+    if (dump.file.ends_with(".npy")) entry["first_disparity"] = dump.first_disparity;
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+}  // namespace
+
+std::string to_json(const RunRecord& record) {
+  Json json;
+  json["format"] = kFormat;
+  json["versions"] = versions();
+  json["command_line"] = record.command_line;
+  json["pipeline"] = {{"file", record.pipeline_file},
+                      {"overrides", overrides(record)},
+                      {"resolved", Json::parse(record.resolved_pipeline)}};
+  json["scene"] = {{"name", record.scene},
+                   {"width", record.size.width},
+                   {"height", record.size.height},
+                   {"inputs", to_json(record.inputs)}};
+  json["disparities"] = {{"first", record.disparities.begin},
+                         {"last", record.disparities.end - 1},
+                         {"from", record.disparities_from}};
+  json["threads"] = record.threads;
+  json["seconds"] = {{"reading", record.reading_seconds}, {"matching", record.matching_seconds}};
+  json["peak_memory_bytes"] = record.peak_memory_bytes;
+  json["valid_share"] = record.valid_share;
+  json["status_shares"] = statuses(record);
+  if (!record.truth.empty()) json["truth"] = to_json(record.truth);
+  json["stages"] = stages(record);
+  json["warnings"] = record.warnings;
+  if (!record.dumps.empty()) json["dumps"] = dumps(record);
+  // File names may be in any encoding; JSON is UTF-8.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace xgm

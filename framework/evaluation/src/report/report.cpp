@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "xgm/evaluation/report.hpp"
+
+#include <algorithm>
+
+#include "report/assets.hpp"
+#include "report/scene_html.hpp"
+#include "report/viewer_data.hpp"
+#include "xgm/plugin/version.hpp"
+
+namespace xgm {
+namespace {
+
+using namespace report;
+
+constexpr double kMaxPixels = 1'500'000;
+constexpr double kFewestPixels = 2'000;
+constexpr double kBytesPerPixel = 6;  // and run, about, in the page
+constexpr int kAttempts = 8;
+
+// Scripts and pictures of the page itself, and nothing from anywhere else.
+constexpr const char* kPolicy =
+    "default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
+
+std::string head(const Report& page) {
+  return std::string("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n") +
+         "<meta http-equiv=\"Content-Security-Policy\" content=\"" + kPolicy + "\">\n" +
+         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n" +
+         "<meta name=\"generator\" content=\"xgm " XGM_VERSION "\">\n<title>" +
+         html_text(page.title) + "</title>\n<style>" + kStyle + "</style></head>\n<body><header>" +
+         "<h1>" + html_text(page.title) + "</h1>" + "</header>\n<main>\n";
+}
+
+std::string contents(const Report& page) {
+  if (page.scenes.size() < 2) return "";
+  std::string html = "<nav aria-label=\"Scenes\"><ul>";
+  for (std::size_t i = 0; i < page.scenes.size(); ++i) {
+    html += "<li><a href=\"#scene-" + std::to_string(i) + "\">" + html_text(page.scenes[i].name) +
+            "</a></li>";
+  }
+  return html + "</ul></nav>\n";
+}
+
+std::string page_of(const Report& page, const std::vector<SceneView>& views, double pixels) {
+  std::string html = head(page) + page.tables_html + kViewer + contents(page);
+  for (std::size_t i = 0; i < views.size(); ++i)
+    html += scene_html(views[i], i, views.size() == 1, pixels);
+  html += "</main>\n<footer>xgm " XGM_VERSION "</footer>\n";
+  html += "<script type=\"application/json\" id=\"data\">" +
+          script_text(viewer_data(views, pixels)) + "</script>\n<script>" + kProgram + "</script>";
+  return html + "</body></html>\n";
+}
+
+}  // namespace
+
+std::string report_html(const Report& report) {
+  std::vector<SceneView> views;
+  std::size_t runs = 0;
+  for (const ReportScene& scene : report.scenes) {
+    views.push_back(view_of(scene));
+    runs += scene.runs.size();
+  }
+  const double affordable = static_cast<double>(report.max_bytes) / kBytesPerPixel;
+  double pixels =
+      std::min(kMaxPixels, affordable / static_cast<double>(std::max<std::size_t>(1, runs)));
+  std::string html;
+  for (int i = 0; i < kAttempts; ++i) {
+    html = page_of(report, views, std::max(pixels, kFewestPixels));
+    if (html.size() <= report.max_bytes || pixels <= kFewestPixels) break;
+    // How well maps compress is known now.
+    pixels *= 0.9 * static_cast<double>(report.max_bytes) / static_cast<double>(html.size());
+  }
+  return html;
+}
+
+}  // namespace xgm

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// Contracts of the stages that read sums: selection and refinement.
+#include <cmath>
+
+#include "contract_cells.hpp"
+
+namespace xgm::testing {
+
+using namespace detail;
+
+namespace {
+
+/// Sums as of an aggregation, one in eight kNoMatch, and pixels without any match.
+AggregatedVolume random_sums(const Input& input, int fraction_bits) {
+  AggregatedVolume sums(shape_of(input.range, input.pair.base.valid), fraction_bits);
+  each_cell(sums.shape(), [&](int y, int x, int d, int i) {
+    const bool match = chance(7, y, x) > 0.1 && chance(8, y, x, d) > 0.125;
+    sums.at(y, x)[i] =
+        match ? static_cast<std::uint16_t>(chance(9, y, x, d) * 900) : AggregatedVolume::kNoMatch;
+  });
+  return sums;
+}
+
+void expect_selected(Report& report, const DisparityMap& map, const AggregatedVolume& sums) {
+  const VolumeShape& shape = sums.shape();
+  for (int y = 0; y < shape.height(); ++y) {
+    for (int x = 0; x < shape.width(); ++x) {
+      const bool matchable = smallest(sums, y, x) != AggregatedVolume::kNoMatch;
+      report.expect((map.at(y, x) == Status::out_of_range) != matchable,
+                    "out_of_range is not where no cell can match", y, x);
+      if (!map.has_disparity(y, x)) continue;
+      const float d = map.disparity(y, x);
+      const bool inside = d == std::floor(d) && d >= static_cast<float>(shape.begin(y, x)) &&
+                          d < static_cast<float>(shape.end(y, x));
+      report.expect(inside, "a disparity is not a whole one of the pixel's range", y, x);
+      if (inside)
+        report.expect(
+            sums.at(y, x)[static_cast<int>(d) - shape.begin(y, x)] != AggregatedVolume::kNoMatch,
+            "a disparity was chosen that cannot match", y, x);
+    }
+  }
+}
+
+/// The first smallest sum of every pixel; every fifth pixel has been found ambiguous.
+DisparityMap first_winners(const AggregatedVolume& sums) {
+  DisparityMap map(sums.shape().size());
+  each_cell(sums.shape(), [&](int y, int x, int d, int i) {
+    const int sum = sums.at(y, x)[i];
+    if (sum != AggregatedVolume::kNoMatch && sum == smallest(sums, y, x) &&
+        !map.has_disparity(y, x))
+      map.set(y, x, static_cast<float>(d));
+  });
+  for (int y = 0; y < map.size().height; ++y)
+    for (int x = y % 5; x < map.size().width; x += 5)
+      if (map.has_disparity(y, x)) map.invalidate(y, x, Status::ambiguous);
+  return map;
+}
+
+void expect_refined(Report& report, const DisparityMap& refined, const DisparityMap& map) {
+  for (int y = 0; y < map.size().height; ++y) {
+    for (int x = 0; x < map.size().width; ++x) {
+      report.expect(refined.status(y, x) == map.status(y, x), "a status was changed", y, x);
+      const bool near = std::abs(refined.disparity(y, x) - map.disparity(y, x)) <= 0.5F;
+      report.expect(near || !map.has_disparity(y, x),
+                    "a disparity was moved by more than half a pixel", y, x);
+    }
+  }
+}
+
+}  // namespace
+
+Violations check_selection(const Selection& stage) {
+  Report report;
+  for (const Input& input : inputs()) {
+    report.with(input.name, [&] {
+      const AggregatedVolume sums = random_sums(input, 0);
+      const Bytes before = bytes_of(sums);
+      const DisparityMap map = run_with_threads(report, [&] { return stage.run(sums, Context{}); });
+      report.expect(bytes_of(sums) == before, "the sums were changed");
+      expect_sound(report, map, input.pair.size());
+      if (map.size() == input.pair.size()) expect_selected(report, map, sums);
+    });
+  }
+  return report.take();
+}
+
+Violations check_refinement(const Refinement& stage) {
+  Report report;
+  for (const Input& input : inputs()) {
+    report.with(input.name, [&] {
+      const AggregatedVolume sums = random_sums(input, 3);
+      const DisparityMap map = first_winners(sums);
+      const Bytes before = bytes_of(sums), map_before = bytes_of(map);
+      const DisparityMap refined =
+          run_with_threads(report, [&] { return stage.run(map, sums, Context{}); });
+      report.expect(bytes_of(sums) == before && bytes_of(map) == map_before,
+                    "the inputs were changed");
+      expect_sound(report, refined, map.size());
+      if (refined.size() == map.size()) expect_refined(report, refined, map);
+    });
+  }
+  return report.take();
+}
+
+}  // namespace xgm::testing

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// Contract of matchers: what they return for every pair that may come.
+#include <cmath>
+
+#include "contract_support.hpp"
+#include "xgm/testing/synthetic.hpp"
+
+namespace xgm::testing {
+
+using namespace detail;
+
+namespace {
+
+/// Disparities within half a pixel (refinement) of `hull`; exactly the pixels without data masked.
+void expect_map(Report& report, const DisparityMap& map, const Image& view, Interval hull) {
+  expect_sound(report, map, view.size());
+  if (map.size() != view.size()) return;
+  const float low = static_cast<float>(hull.begin) - 0.5F;
+  const float high = static_cast<float>(hull.end) - 0.5F;
+  for (int y = 0; y < view.size().height; ++y) {
+    for (int x = 0; x < view.size().width; ++x) {
+      report.expect((map.at(y, x) == Status::masked) != view.is_valid(y, x),
+                    "status masked is not where there is no data", y, x);
+      const float d = map.disparity(y, x);
+      report.expect(!map.has_disparity(y, x) || (!hull.empty() && low <= d && d <= high),
+                    "a disparity lies outside the range", y, x);
+    }
+  }
+}
+
+void check_on(Report& report, const Matcher& stage, const MatchRequest& request) {
+  const Bytes before = bytes_of(request.pair);
+  const MatchResult result =
+      run_with_threads(report, [&] { return stage.run(request, Context{}); });
+  report.expect(bytes_of(request.pair) == before, "the images were changed");
+  const Interval hull = request.range.hull();
+  expect_map(report, result.forward, request.pair.base, hull);
+  if (result.reverse)
+    expect_map(report, *result.reverse, request.pair.match, {1 - hull.end, 1 - hull.begin});
+  for (const float level : {0.0F, 255.0F}) {
+    MatchRequest other = request;
+    other.pair = with_levels_under_masks(request.pair, level);
+    report.expect(bytes_of(stage.run(other, Context{})) == bytes_of(result),
+                  "grey levels of masked pixels matter");
+  }
+}
+
+/// Catches what no bound does: a wrong sign, a shift, both views mixed up.
+void check_easy_scene(Report& report, const Matcher& stage, Interval disparities) {
+  SceneOptions options;
+  options.size = {120, 90};
+  options.disparities = disparities;
+  options.objects = 2;
+  const SyntheticScene scene = make_scene(options);
+  report.with("easy scene", [&] {
+    const DisparityMap map =
+        stage.run({scene.pair, DisparityRange::uniform(options.size, disparities), {}}, Context{})
+            .forward;
+    if (map.size() != options.size) return;
+    int visible = 0, right = 0;
+    for (int y = 0; y < map.size().height; ++y) {
+      for (int x = 0; x < map.size().width; ++x) {
+        if (scene.non_occluded(y, x) == 0) continue;
+        ++visible;
+        if (std::abs(map.disparity(y, x) - scene.truth(y, x)) <= 1) ++right;
+      }
+    }
+    report.expect(2 * right > visible, "fewer than half of the visible pixels are right");
+  });
+}
+
+}  // namespace
+
+Violations check_matcher(const Matcher& stage) {
+  Report report;
+  for (const Input& input : inputs()) {
+    if (!input.range.is_uniform() && !stage.accepts_range_maps()) continue;
+    report.with(input.name, [&] { check_on(report, stage, {input.pair, input.range, {}}); });
+  }
+  const Input usual = inputs().front();
+  report.with("empty range", [&] {
+    check_on(report, stage, {usual.pair, DisparityRange::uniform(usual.pair.size(), {5, 5}), {}});
+  });
+  check_easy_scene(report, stage, {0, 16});
+  check_easy_scene(report, stage, {-14, 2});
+  return report.take();
+}
+
+}  // namespace xgm::testing

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugins/aggregation/path_engine/needs.hpp"
+
+#include <algorithm>
+
+#include "plugins/aggregation/path_engine/pass_walk.hpp"
+
+namespace xgm::aggregation {
+namespace {
+
+/// Bytes of PathLines. A path cost is taken to have 8 bit, as with all shipped pipelines.
+double line_bytes(const Workload& load, const Pass& pass, const LinesKept& kept) {
+  const double length = PassFrame(load.size, pass.along, pass.across).length();
+  const double pixels = std::min(length, double(kept.pixels));
+  const double mean = load.cells_per_pixel + VolumeShape::kGranule;  // the margin behind a slice
+  const double longest = Workload::room(load.range.size()) + VolumeShape::kGranule;
+  const double whole = kept.last_lines * length * mean;
+  const double part = (kept.band_lines - kept.last_lines) * pixels * longest;
+  return kept.bands * (whole + part) * static_cast<double>(pass.paths.size());
+}
+
+/// Bytes of PassPenalties, for penalties of two classes per step and view. Others need less, with
+/// one class, or a byte for every step.
+double class_bytes(const Workload& load, int rows) {
+  return rows * (2.0 * load.size.width + load.range.size());
+}
+
+double working_bytes(const Workload& load, const Pass& pass) {
+  const PassFrame frame(load.size, pass.along, pass.across);
+  const LinesKept kept = lines_kept(pass, frame.lines(), load.threads);
+  const int rows = frame.lines_are_rows() ? kept.bands * kept.band_lines : load.size.height;
+  return line_bytes(load, pass, kept) + class_bytes(load, rows);
+}
+
+}  // namespace
+
+Needs needs(const Workload& load, const std::vector<Pass>& passes) {
+  // A pass reads a cost, reads and writes a sum, and so does its opposite; where the sum is begun,
+  // it is not read.
+  const double bytes_per_cell = 2 * 5.0 * static_cast<double>(passes.size()) - 2;
+  Needs needs{.volumes = 2 * load.cells(), .moved = bytes_per_cell * load.cells()};
+  for (const Pass& pass : passes) {
+    double working = 0;
+    for (const Pass& way : both_directions(pass)) {
+      working += working_bytes(load, way);
+      for (const Path& path : way.paths)
+        needs.updates += load.cells() * static_cast<double>(path.steps.size());
+    }
+    needs.working = std::max(needs.working, working);
+  }
+  return needs;
+}
+
+}  // namespace xgm::aggregation

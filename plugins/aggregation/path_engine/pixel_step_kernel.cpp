@@ -1,0 +1,372 @@
+// SPDX-License-Identifier: Apache-2.0
+// The inner step in vectors. Up to four paths advance together: their minima, the only thing that
+// one block waits for another with, are reduced at once.
+#include <cstring>
+
+#include "plugins/aggregation/path_engine/advance.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "plugins/aggregation/path_engine/pixel_step_kernel.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "plugins/aggregation/path_engine/blocks_inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace xgm::aggregation::HWY_NAMESPACE {
+
+/// Extends with `Extend` at each pixel.
+template <class Extend, class Cell>
+void advance(PassWalk<Cell>& walk, Band<Cell>& band, int first, int last) {
+  const int lag = walk.lag(), count = band.count;
+  for (int from = first; from < last; from += LineLayout::kPixels) {
+    const int pixels = last - from < LineLayout::kPixels ? last - from : LineLayout::kPixels;
+    for (int i = 0; i < count; ++i) {
+      const int own = from - i * lag;
+      if (walk.lay_out(band.lines[i], own, own + pixels)) Extend::look_back(band.lines[i]);
+    }
+    for (int k = 0; k < pixels; ++k) {
+      for (int i = 0; i < count; ++i) {
+        if (band.lines[i].layout.room[k] > 0) Extend::extend(walk, band.lines[i], k);
+      }
+    }
+  }
+  // Before others hear of it.
+  if (band.lines[0].begins_sums && walk.step().past_caches) hwy::FlushStream();
+}
+
+struct Plainly {
+  template <class Cell>
+  static void look_back(WalkedLine<Cell>&) {}
+  template <class Cell>
+  static void extend(const PassWalk<Cell>& walk, WalkedLine<Cell>& line, int k) {
+    extend_plain(walk, line, k);
+  }
+};
+
+#if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128
+
+template <class Cell>
+Advance<Cell> choose(const PassStep&) {
+  return advance<Plainly, Cell>;
+}
+
+#else
+
+/// A term in registers. Read from where it is, it would be read again after each path cost is
+/// written: those are bytes, which for all a compiler knows could be anything's.
+template <class D, bool kClasses>
+class TermInRegisters {
+ public:
+  using Cell = hn::TFromD<D>;
+
+  HWY_INLINE explicit TermInRegisters(const Term<Cell>& term)
+      : previous_(term.previous),
+        min_(filled(D(), *term.minimum)),
+        bit_(hn::Set(D(), static_cast<Cell>(1 << term.step))) {
+    for (int i = 0; i < kTable; ++i) {
+      p1_[i] = filled(D(), term.penalties[i].p1);
+      far_[i] = hn::SaturatedAdd(min_, filled(D(), term.penalties[i].p2));
+    }
+  }
+
+  template <class Block>
+  HWY_INLINE hn::VFromD<Block> message(Block d, hn::VFromD<Block> classes, int i) const {
+    const Cell* const at = previous_ + i;
+    auto p1 = first_lanes(d, D(), p1_[0]);
+    auto far = first_lanes(d, D(), far_[0]);
+    if constexpr (kClasses) {
+      const auto second = hn::TestBit(classes, first_lanes(d, D(), bit_));
+      p1 = hn::IfThenElse(second, first_lanes(d, D(), p1_[1]), p1);
+      far = hn::IfThenElse(second, first_lanes(d, D(), far_[1]), far);
+    }
+    const auto beside = hn::Min(hn::LoadU(d, at - 1), hn::LoadU(d, at + 1));
+    const auto near = hn::Min(hn::LoadU(d, at), hn::SaturatedAdd(beside, p1));
+    return hn::Sub(hn::Min(near, far), first_lanes(d, D(), min_));
+  }
+
+ private:
+  static constexpr int kTable = kClasses ? 2 : 1;
+
+  const Cell* previous_;
+  hn::VFromD<D> min_, bit_, p1_[kTable], far_[kTable];
+};
+
+/// A path in registers.
+template <class D, int kTerms, bool kClasses>
+class PathInRegisters {
+ public:
+  using Cell = hn::TFromD<D>;
+
+  HWY_INLINE PathInRegisters(const Term<Cell>& one, const Term<Cell>& other, Cell* costs)
+      : one_(one), other_(other), costs_(costs), min_(hn::Set(D(), kInfinite<Cell>)) {}
+
+  /// Writes a block of path costs. Returns what the path brings.
+  template <class Block>
+  HWY_INLINE hn::VFromD<Block> extend(Block d, hn::VFromD<Block> cost, hn::VFromD<Block> classes,
+                                      int i) {
+    auto message = one_.message(d, classes, i);
+    if constexpr (kTerms == 2) message = mean(d, message, other_.message(d, classes, i));
+    const auto extended = hn::SaturatedAdd(cost, message);
+    hn::StoreU(extended, d, costs_ + i);
+    min_ = hn::Min(min_, repeated(d, D(), extended));
+    return message;
+  }
+
+  Cell* costs() const { return costs_; }
+  HWY_INLINE hn::VFromD<D> minimum() const { return min_; }
+
+ private:
+  TermInRegisters<D, kClasses> one_, other_;
+  Cell* costs_;
+  hn::VFromD<D> min_;
+};
+
+/// kPaths of the pass's kAllPaths, from kFirst on: they advance together, in vectors of up to D's
+/// lanes.
+template <class D, int kFirst, int kPaths, int kAllPaths, int kTerms, bool kClasses>
+class Group {
+ public:
+  using Cell = hn::TFromD<D>;
+
+  HWY_INLINE Group(const PassWalk<Cell>& walk, const WalkedLine<Cell>& line, int k)
+      : room_(line.layout.room[k]),
+        count_(line.layout.count[k]),
+        bits_(walk.step().bits),
+        begins_sums_(kFirst == 0 && line.begins_sums),
+        // What other paths are still added to had better stay.
+        past_caches_(kPaths == kAllPaths && line.begins_sums && walk.step().past_caches),
+        pairs_fit_(sizeof(Cell) == 1 && 2 * walk.step().p2 <= kInfinite<Cell>),
+        always_room_(walk.step().always_room),
+        p2_(static_cast<Cell>(walk.step().p2)),
+        cost_weight_(static_cast<std::uint16_t>(walk.step().cost_weight)),
+        cost_(walk.costs() + line.layout.offset[k]),
+        next_cost_(walk.costs() + line.layout.offset[k + LineLayout::kAhead]),
+        sums_(walk.sums() + line.layout.offset[k]),
+        next_sums_(walk.sums() + line.layout.offset[k + LineLayout::kAhead]),
+        classes_(nullptr) {
+    if constexpr (kClasses)
+      classes_ = walk.match_classes(line, line.layout.first + k, line.layout.begin[k]);
+  }
+
+  /// `found` are the terms of all paths if they are not as usual, else null.
+  HWY_INLINE void run(const PassWalk<Cell>& walk, WalkedLine<Cell>& line, int k,
+                      const Term<Cell>* found) {
+    const std::ptrdiff_t u = line.layout.first + k;
+    const auto term = [&](int path, int t) HWY_ATTR {
+      const int step = (kFirst + path) * kTerms + t;
+      if (found != nullptr) return found[step];
+      return Term<Cell>{line.back_costs[step] + line.layout.back[step][k],
+                        line.back[step].minimum + u * kAllPaths + (kFirst + path), step,
+                        line.penalties[step]};
+    };
+    const auto path = [&](int p) HWY_ATTR {
+      return PathInRegisters<D, kTerms, kClasses>(term(p, 0), term(p, kTerms - 1),
+                                                  line.costs[kFirst + p] + line.layout.own[k]);
+    };
+    Repeated* const minimum = line.pixels.minimum + u * kAllPaths + kFirst;
+    if constexpr (kPaths == 1) {
+      run_paths(walk, minimum, path(0));
+    } else if constexpr (kPaths == 2) {
+      run_paths(walk, minimum, path(0), path(1));
+    } else {
+      run_paths(walk, minimum, path(0), path(1), path(2), path(3));
+    }
+  }
+
+ private:
+  template <class... Paths>
+  HWY_INLINE void run_paths(const PassWalk<Cell>& walk, Repeated* all_min, Paths... paths) {
+    extend(D(), 0, paths...);
+    (std::memset(paths.costs() + room_, 0xFF, VolumeShape::kGranule * sizeof(Cell)), ...);
+    const hn::FixedTag<Cell, 16 / sizeof(Cell)> d;
+    const auto minimum = min_lanes(D(), paths.minimum()...);
+    store_repeated<kPaths>(minimum, all_min);
+    if (always_room_) return;
+    const hn::FixedTag<Cell, kPaths> dp;
+    const auto few = first_lanes(dp, d, minimum);
+    const auto with_p2 = hn::SaturatedAdd(few, hn::Set(dp, p2_));
+    const auto infinite = hn::Set(dp, kInfinite<Cell>);
+    const auto too_large = hn::AndNot(hn::Eq(few, infinite), hn::Eq(with_p2, infinite));
+    if (HWY_UNLIKELY(!hn::AllFalse(dp, too_large))) {
+      int p = 0;
+      (make_room(walk, paths.costs(), all_min[p++]), ...);
+    }
+  }
+
+  HWY_INLINE void make_room(const PassWalk<Cell>& walk, Cell* costs, Repeated& minimum) const {
+    const Cell cost = minimum.template as<Cell>();
+    if (has_room_for_p2(cost, walk.step())) return;
+    lower(costs, room_, cost);
+    minimum = Repeated();
+  }
+
+  template <class Block, class... Paths>
+  HWY_INLINE void extend(Block d, int i, Paths&... paths) {
+    constexpr int lanes = kLanes<Block>;
+    if constexpr (kMasks) {
+      for (; i < room_; i += lanes) extend_block(d, i, paths...);
+    } else {
+      for (; i + lanes <= room_; i += lanes) extend_block(d, i, paths...);
+      if constexpr (lanes > VolumeShape::kGranule) extend(hn::Half<Block>(), i, paths...);
+    }
+  }
+
+  template <class Block, class... Paths>
+  HWY_INLINE void extend_block(Block d, int i, Paths&... paths) {
+    if constexpr (kFirst == 0) prefetch(d, i);
+    const auto cost = load_cost(d, cost_ + i, bits_, count_ - i);
+    const auto classes = load_classes<kClasses>(d, classes_, i);
+    const hn::VFromD<Block> message[kPaths] = {paths.extend(d, cost, classes, i)...};
+    Sums<Block> sums;
+    for (int p = 0; p < kPaths; ++p) {
+      if (kPaths > 1 && pairs_fit_) {
+        sums.add(d, hn::Add(message[p], message[p + 1]));
+        ++p;
+      } else {
+        sums.add(d, message[p]);
+      }
+    }
+    if (begins_sums_) {
+      sums.begin(d, cost, cost_weight_, past_caches_, sums_ + i, room_ - i);
+    } else {
+      sums.add_to(sums_ + i, room_ - i);
+    }
+  }
+
+  /// Passes along columns get no help by what processors foresee.
+  template <class Block>
+  HWY_INLINE void prefetch(Block, int i) const {
+    constexpr int kCellsOfCacheLine = 64 / sizeof(std::uint16_t);
+    hwy::Prefetch(next_cost_ + i);
+    if (past_caches_) return;
+    for (int cell = 0; cell < kLanes<Block>; cell += kCellsOfCacheLine)
+      hwy::Prefetch(next_sums_ + i + cell);
+  }
+
+  // Copies, for the reason that TermInRegisters gives.
+  const int room_, count_, bits_;
+  const bool begins_sums_, past_caches_, pairs_fit_, always_room_;
+  const Cell p2_;
+  const std::uint16_t cost_weight_;
+  const std::uint8_t *const cost_, *const next_cost_;
+  std::uint16_t *const sums_, *const next_sums_;
+  const std::uint8_t* classes_;
+};
+
+/// All paths of a pixel, in groups that fit the registers.
+template <class Cell, int kPaths, int kTerms, bool kClasses>
+class InVectors {
+ public:
+  /// Completes the layout: a few instructions for many pixels at a time.
+  static HWY_INLINE void look_back(WalkedLine<Cell>& line) {
+    const hn::CappedTag<int, LineLayout::kPixels> d;
+    LineLayout& layout = line.layout;
+    for (int k = 0; k < LineLayout::kPixels; k += kLanes<decltype(d)>) {
+      const auto begin = hn::LoadU(d, layout.begin + k);
+      const auto before = hn::Sub(begin, hn::Set(d, 1));
+      const auto end = hn::Add(begin, hn::LoadU(d, layout.room + k));
+      auto odd = hn::Zero(d);
+      for (int t = 0; t < kPaths * kTerms; ++t) {
+        const LinePixels<Cell> back = line.back[t].at(layout.first + k);
+        hn::StoreU(hn::Add(hn::LoadU(d, back.zero), begin), d, layout.back[t] + k);
+        odd = hn::Or(odd, hn::Or(hn::Sub(before, hn::LoadU(d, back.from)),
+                                 hn::Sub(hn::LoadU(d, back.to), end)));
+      }
+      hn::StoreU(odd, d, layout.odd + k);
+    }
+  }
+
+  static HWY_INLINE void extend(const PassWalk<Cell>& walk, WalkedLine<Cell>& line, int k) {
+    walk.find_penalties(line, k);
+    const Term<Cell>* found = nullptr;
+    if (HWY_UNLIKELY(!all_usual(line, k))) found = walk.find_terms(line, k);
+    // Short slices in short vectors, whose minima are found sooner.
+    const hn::CappedTag<Cell, 64 / sizeof(Cell)> widest;
+    if constexpr (kMasks) {
+      const hn::Half<decltype(widest)> half;
+      if (line.layout.room[k] <= kLanes<decltype(half)>)
+        return extend_groups<0>(half, walk, line, k, found);
+    }
+    extend_groups<0>(widest, walk, line, k, found);
+  }
+
+ private:
+  static constexpr int kMaxTogether = kTerms == 1 || (kMasks && !kClasses) ? 4 : 2;
+  static constexpr int kTogether = kPaths < kMaxTogether ? kPaths : kMaxTogether;
+
+  /// Whether all terms count and are in one piece, as they usually do. One branch for all of them:
+  /// guessing each wrong costs as much as guessing all.
+  static HWY_INLINE bool all_usual(const WalkedLine<Cell>& line, int k) {
+    if (line.layout.odd[k] < 0) return false;
+    if constexpr (kTerms == 1) return true;
+    bool some_lost = false;
+    for (const std::atomic<bool>* line_lost : line.any_lost)
+      some_lost |= line_lost->load(std::memory_order_relaxed);
+    if (HWY_LIKELY(!some_lost)) return true;
+    int lost = 0;
+    for (int t = 0; t < kPaths * kTerms; ++t) lost |= line.back[t].lost[line.layout.first + k];
+    return lost == 0;
+  }
+
+  template <int kFirst, class D>
+  static HWY_INLINE void extend_groups(D d, const PassWalk<Cell>& walk, WalkedLine<Cell>& line,
+                                       int k, const Term<Cell>* found) {
+    Group<D, kFirst, kTogether, kPaths, kTerms, kClasses>(walk, line, k).run(walk, line, k, found);
+    if constexpr (kFirst + kTogether < kPaths) {
+      extend_groups<kFirst + kTogether>(d, walk, line, k, found);
+    } else if constexpr (kTerms == 2) {
+      const int u = line.layout.first + k;
+      const Repeated minimum = line.pixels.minimum[u * kPaths];
+      if (HWY_UNLIKELY(minimum.template as<Cell>() == kInfinite<Cell>)) line.pixels.lose(u);
+    }
+  }
+};
+
+/// Numbers of paths that occur have a kernel of their own.
+template <class Cell, int kTerms, bool kClasses>
+Advance<Cell> choose_paths(int paths) {
+  constexpr int kFew = 2 / kTerms;  // of 4, 8 and 16 directions in two passes or in four
+  if (paths == kFew) return advance<InVectors<Cell, kFew, kTerms, kClasses>, Cell>;
+  if (paths == 2 * kFew) return advance<InVectors<Cell, 2 * kFew, kTerms, kClasses>, Cell>;
+  if (paths == 4 * kFew) return advance<InVectors<Cell, 4 * kFew, kTerms, kClasses>, Cell>;
+  return advance<Plainly, Cell>;
+}
+
+template <class Cell, int kTerms>
+Advance<Cell> choose_classes(const PassStep& pass) {
+  return pass.match_classes == 1 ? choose_paths<Cell, kTerms, false>(pass.paths)
+                                 : choose_paths<Cell, kTerms, true>(pass.paths);
+}
+
+template <class Cell>
+Advance<Cell> choose(const PassStep& pass) {
+  if (pass.class_plane != 0) return advance<Plainly, Cell>;
+  return pass.terms == 1 ? choose_classes<Cell, 1>(pass) : choose_classes<Cell, 2>(pass);
+}
+
+#endif
+
+Advance<std::uint8_t> choose_8(const PassStep& pass) { return choose<std::uint8_t>(pass); }
+Advance<std::uint16_t> choose_16(const PassStep& pass) { return choose<std::uint16_t>(pass); }
+
+}  // namespace xgm::aggregation::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace xgm::aggregation {
+
+HWY_EXPORT(choose_8);
+HWY_EXPORT(choose_16);
+
+template <>
+Advance<std::uint8_t> choose_advance(const PassStep& pass) {
+  return HWY_DYNAMIC_DISPATCH(choose_8)(pass);
+}
+template <>
+Advance<std::uint16_t> choose_advance(const PassStep& pass) {
+  return HWY_DYNAMIC_DISPATCH(choose_16)(pass);
+}
+
+}  // namespace xgm::aggregation
+#endif

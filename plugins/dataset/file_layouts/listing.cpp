@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plugins/dataset/file_layouts/listing.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include "xgm/base/error.hpp"
+
+namespace xgm::dataset {
+namespace fs = std::filesystem;
+namespace {
+
+// The one that comes first is taken if a folder has several.
+constexpr std::array kEndings = {".png",  ".ppm", ".pgm",  ".pfm", ".tif",
+                                 ".tiff", ".jpg", ".jpeg", ".bmp"};
+
+fs::path absolute(const std::string& folder) {
+  const fs::path path = fs::absolute(folder).lexically_normal();
+  return path.has_filename() ? path : path.parent_path();  // "a/b/" ends in an empty name
+}
+
+}  // namespace
+
+Listing::Listing(const std::string& folder) : path_(folder) {
+  std::error_code failure;
+  const fs::file_status status = fs::status(folder, failure);
+  if (!fs::exists(status)) throw Error(folder + ": no such folder; check the path");
+  if (!fs::is_directory(status)) throw Error(folder + ": is a file; give a folder");
+  for (fs::directory_iterator i(folder, failure), end; !failure && i != end; i.increment(failure)) {
+    const std::string name = i->path().filename().string();
+    if (name.starts_with('.')) continue;
+    std::error_code dangling;  // a link that leads nowhere is no file
+    if (i->is_directory(dangling)) folders_.insert(name);
+    if (i->is_regular_file(dangling)) files_.insert(name);
+  }
+  if (failure) {
+    throw Error(folder + ": cannot be read: " + failure.message() + "; check the permissions");
+  }
+}
+
+std::string Listing::file(const std::string& name) const {
+  return files_.contains(name) ? (fs::path(path_) / name).string() : "";
+}
+
+std::string Listing::folder(const std::string& name) const {
+  return folders_.contains(name) ? (fs::path(path_) / name).string() : "";
+}
+
+std::string Listing::image(const std::string& stem) const {
+  for (const char* ending : kEndings) {
+    if (files_.contains(stem + ending)) return file(stem + ending);
+  }
+  return {};
+}
+
+bool is_image(const std::string& name) {
+  return std::any_of(kEndings.begin(), kEndings.end(),
+                     [&](const char* ending) { return name.ends_with(ending); });
+}
+
+std::string name_of(const std::string& folder) { return absolute(folder).filename().string(); }
+std::string parent_of(const std::string& folder) { return absolute(folder).parent_path().string(); }
+
+}  // namespace xgm::dataset
