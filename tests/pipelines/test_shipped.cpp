@@ -53,10 +53,9 @@ TEST_CASE("each begins with a comment: what it is, for whom, what it costs, wher
 TEST_CASE("each finds at least 85 % of a generated scene's visible pixels within 1 px") {
   const xgm::testing::SyntheticScene scene = xgm::synthesis::sample_pair();
   for (const auto& file : shipped()) {
-    Observer silent;
     const MatchRequest request{
         scene.pair, DisparityRange::uniform(scene.pair.size(), scene.disparities), std::nullopt};
-    const MatchResult result = load(file).run(request, silent);
+    const MatchResult result = load(file).run(request);
     const Evaluation score =
         evaluate(result.forward, scene.truth, {.deltas = {1.0}}, scene.non_occluded);
     MESSAGE(file.filename().string(), ": invalid ", 100 * score.invalid, " %, total error at 1 px ",
