@@ -19,7 +19,7 @@ namespace {
 /// If only one of p - r and p - r-perp exists (border, no data), its term counts fully. P1 and P2
 /// are those of the step x. Sums are fixed-point numbers (AggregatedVolume::fraction_bits) with
 /// the error derived in shared/fixed_point.hpp.
-class Mgm final : public xgm::Aggregation {
+class Mgm final : public xgm::Aggregation, public xgm::StatesNeeds {
  public:
   using Parameters = xgm::aggregation::PathParameters;
 

@@ -38,7 +38,7 @@ Needs needs(const Workload& load, const std::vector<Pass>& passes) {
   // A pass reads a cost, reads and writes a sum, and so does its opposite; where the sum is begun,
   // it is not read.
   const double bytes_per_cell = 2 * 5.0 * static_cast<double>(passes.size()) - 2;
-  Needs needs{.volumes = 2 * load.cells(), .moved = bytes_per_cell * load.cells()};
+  Needs needs{.moved = bytes_per_cell * load.cells()};
   for (const Pass& pass : passes) {
     double working = 0;
     for (const Pass& way : both_directions(pass)) {
