@@ -12,7 +12,8 @@ bool is_open(const std::string& header) {
   static const std::set<std::string> rooms{"evaluation", "synthesis"};
   static const std::set<std::string> core_folders{"base", "data", "io", "pipeline"};
   static const std::set<std::string> single{"xgm/config/diagnostics.hpp", "xgm/plugin/registry.hpp",
-                                            "xgm/plugin/version.hpp", "xgm/stage/context.hpp"};
+                                            "xgm/plugin/version.hpp", "xgm/stage/context.hpp",
+                                            "xgm/stage/observers.hpp"};
   const Place place = place_of(public_header(header));
   if (place.room != "core") return rooms.contains(place.room);
   return core_folders.contains(place.folder) || single.contains(header);
