@@ -5,15 +5,16 @@
 #include <array>
 #include <cmath>
 #include <fstream>
-#include <opencv2/core/utility.hpp>
 #include <string>
 
+#include "base/run_state.hpp"
 #include "pipeline/graph.hpp"
 #include "pipeline/overrides.hpp"
 #include "plugin/binder.hpp"
 #include "xgm/base/aligned_buffer.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/base/memory.hpp"
+#include "xgm/base/simd.hpp"
 #include "xgm/plugin.hpp"
 
 namespace xgm {
@@ -64,21 +65,6 @@ struct Pipeline::Impl {
 
 namespace {
 
-// OpenCV's own number of threads, put back at the end of a run.
-class OpenCvThreads {
- public:
-  explicit OpenCvThreads(int threads) : before_(cv::getNumThreads()) {
-    // OpenCV's scheduler complains of more threads than there are processors.
-    if (threads > 0) cv::setNumThreads(std::min(threads, cv::getNumberOfCPUs()));
-  }
-  ~OpenCvThreads() { cv::setNumThreads(before_); }
-  OpenCvThreads(const OpenCvThreads&) = delete;
-  OpenCvThreads& operator=(const OpenCvThreads&) = delete;
-
- private:
-  int before_;
-};
-
 void check_request(const MatchRequest& request) {
   const cv::Size size = request.pair.size();
   if (size.empty()) throw Error("the images are empty; give an image pair with pixels");
@@ -91,6 +77,12 @@ void check_request(const MatchRequest& request) {
   if (request.range.hull().empty()) {
     throw Error("the search range is empty; give at least one disparity");
   }
+}
+
+/// A run that is given no token ends with the run that it is part of, if any.
+RunState with_stop(RunState state, const std::stop_token& stop) {
+  if (stop.stop_possible()) state.stop = stop;
+  return state;
 }
 
 /// What volumes leave for each other is gone before the maps are worked on.
@@ -109,8 +101,10 @@ MatchResult Pipeline::run(const MatchRequest& request, const RunOptions& options
     throw Error("matcher", "needs one range for the whole image; give no range maps");
   }
   const ThreadLimit limit(options.threads);
-  const OpenCvThreads opencv_limit(options.threads);
-  const Context context = options.observer != nullptr ? Context(*options.observer) : Context();
+  const SimdChoice simd(options.simd);
+  const RunChange run(with_stop(run_state(), options.stop));
+  const Context context(options.observer, run.state.stop);
+  context.throw_if_cancelled();
   MatchRequest prepared = request;
   for (const auto& stage : p.preprocess) {
     prepared.pair = stage(context.part(0, 0.03), prepared.pair);

@@ -2,9 +2,11 @@
 // What a stage knows of the run it is in: where it stands, and whom to tell.
 #pragma once
 
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <variant>
 
 #include "xgm/base/export.hpp"
@@ -49,6 +51,8 @@ class XGM_API Context {
   /// Outermost context. Without an observer nothing is told to anyone.
   Context() = default;
   explicit Context(Observer& observer) : observer_(&observer) {}
+  /// `observer` may be null. `stop` is that of RunOptions.
+  Context(Observer* observer, std::stop_token stop) : observer_(observer), stop_(std::move(stop)) {}
 
   /// The context of something inside this stage: a level, a view, a slot.
   Context scope(std::string_view name) const;
@@ -61,8 +65,14 @@ class XGM_API Context {
   void info(const std::string& text) const { log(LogLevel::info, text); }
   void warn(const std::string& text) const { log(LogLevel::warning, text); }
   void report(const std::string& name, double value) const;
-  /// Share of this stage's own work that is done, 0 to 1.
+  /// Share of this stage's own work that is done, 0 to 1. Throws Cancelled if the run is.
   void progress(double share) const;
+
+  /// Whether the run is to end. Loops of xgm/base/parallel.hpp, progress() and the beginning and
+  /// end of stages look by themselves; what else may take more than some hundredths of a second
+  /// calls one of these in between. Any thread may.
+  bool cancelled() const { return stop_.stop_requested(); }
+  void throw_if_cancelled() const;
 
   /// Used by slots: tells the observer of an input of the stage that runs here.
   template <class Input>
@@ -71,7 +81,7 @@ class XGM_API Context {
   }
 
   /// Used by slots: runs `body` as the stage at this path, timed and told to the observer; adds the
-  /// path to what it throws.
+  /// path to what it throws. Throws Cancelled, and tells of no end, if the run is cancelled.
   template <class Body>
   auto run_stage(const std::string& plugin, Body body) const {
     const StageRun run(*this, plugin);
@@ -112,6 +122,7 @@ class XGM_API Context {
   Observer* observer_ = nullptr;
   std::string path_;
   double begin_ = 0, end_ = 1;
+  std::stop_token stop_;
 };
 
 }  // namespace xgm
