@@ -164,6 +164,7 @@ int plan(const Options& options) {
   if (!named) return kUsage;
   const Pipeline& pipeline = named->pipeline;
   const int threads = threads_of(options);
+  set_opencv_threads(threads);
   Progress progress;
   progress.begin("measuring the speed of this machine");
   PlanRequest request;

@@ -5,14 +5,15 @@
 #include <array>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <opencv2/core/utility.hpp>
 #include <string>
 
+#include "base/run_state.hpp"
 #include "pipeline/graph.hpp"
 #include "pipeline/overrides.hpp"
 #include "plugin/binder.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/base/parallel.hpp"
+#include "xgm/base/simd.hpp"
 
 namespace xgm {
 
@@ -22,21 +23,6 @@ struct Pipeline::Impl {
 };
 
 namespace {
-
-// OpenCV's own number of threads, put back at the end of a run.
-class OpenCvThreads {
- public:
-  explicit OpenCvThreads(int threads) : before_(cv::getNumThreads()) {
-    // OpenCV's scheduler complains of more threads than there are processors.
-    if (threads > 0) cv::setNumThreads(std::min(threads, cv::getNumberOfCPUs()));
-  }
-  ~OpenCvThreads() { cv::setNumThreads(before_); }
-  OpenCvThreads(const OpenCvThreads&) = delete;
-  OpenCvThreads& operator=(const OpenCvThreads&) = delete;
-
- private:
-  int before_;
-};
 
 void check_request(const MatchRequest& request) {
   const cv::Size size = request.pair.size();
@@ -52,6 +38,12 @@ void check_request(const MatchRequest& request) {
   }
 }
 
+/// A run that is given no token ends with the run that it is part of, if any.
+RunState with_stop(RunState state, const std::stop_token& stop) {
+  if (stop.stop_possible()) state.stop = stop;
+  return state;
+}
+
 }  // namespace
 
 MatchResult Pipeline::run(const MatchRequest& request, const RunOptions& options) const {
@@ -62,8 +54,11 @@ MatchResult Pipeline::run(const MatchRequest& request, const RunOptions& options
     throw Error("matcher", "needs one range for the whole image; give no range maps");
   }
   const ThreadLimit limit(options.threads);
-  const OpenCvThreads opencv_limit(options.threads);
-  return stereo->run(request, Context(options.observer, request.pair.is_reverse));
+  const SimdChoice simd(options.simd);
+  const RunChange run(with_stop(run_state(), options.stop));
+  const Context context(options.observer, run.state.stop, request.pair.is_reverse);
+  context.throw_if_cancelled();
+  return stereo->run(request, context);
 }
 
 const Stage& Pipeline::family() const { return *impl_->family; }

@@ -81,11 +81,17 @@ void Context::figure(const std::string& name, double value) const {
   if (observer_ != nullptr) observer_->figure(place_, name, value);
 }
 
+void Context::throw_if_cancelled() const {
+  if (cancelled()) throw Cancelled();
+}
+
 void Context::progress(double share) const {
+  throw_if_cancelled();
   if (observer_ != nullptr) observer_->progress(begin_ + (end_ - begin_) * share);
 }
 
 Context::StageRun::StageRun(const Context& context) : context_(context), start_(now()) {
+  context.throw_if_cancelled();
   if (context.observer_ != nullptr) context.observer_->stage_begin(context.place_);
 }
 
@@ -109,6 +115,7 @@ void Context::StageRun::finish(const MatchResult& result) const {
 }
 
 void Context::StageRun::finish(std::size_t bytes, const Artifact& result) const {
+  context_.throw_if_cancelled();
   if (context_.observer_ == nullptr) return;
   context_.observer_->stage_end(context_.place_, {now() - start_, bytes}, result);
   context_.progress(1);
@@ -116,6 +123,8 @@ void Context::StageRun::finish(std::size_t bytes, const Artifact& result) const 
 
 void Context::StageRun::rethrow() const {
   try {
+    throw;
+  } catch (const Cancelled&) {
     throw;
   } catch (const Error& error) {
     if (!error.stage_path().empty()) throw;

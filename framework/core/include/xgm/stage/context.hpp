@@ -2,9 +2,11 @@
 // What a stage knows of the run it is in: where it stands, and whom to tell.
 #pragma once
 
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 
 #include "xgm/base/export.hpp"
 #include "xgm/stage/observer.hpp"
@@ -18,9 +20,10 @@ class XGM_API Context {
  public:
   /// Outermost context. Without an observer nothing is told to anyone.
   Context() = default;
-  /// `base_is_reverse`: whether the base image of the run is the match image of its pair.
-  explicit Context(Observer* observer, bool base_is_reverse = false)
-      : observer_(observer), base_is_reverse_(base_is_reverse) {}
+  /// `observer` may be null; `stop` is that of RunOptions. `base_is_reverse`: whether the base
+  /// image of the run is the match image of its pair.
+  explicit Context(Observer* observer, std::stop_token stop = {}, bool base_is_reverse = false)
+      : observer_(observer), stop_(std::move(stop)), base_is_reverse_(base_is_reverse) {}
 
   /// The context of something inside this stage that is neither a level nor a view.
   Context scope(std::string_view name) const;
@@ -40,8 +43,14 @@ class XGM_API Context {
   void warn(const std::string& text) const { log(LogLevel::warning, text); }
   /// Tells a figure for the run's record.
   void figure(const std::string& name, double value) const;
-  /// Share of this stage's own work that is done, 0 to 1.
+  /// Share of this stage's own work that is done, 0 to 1. Throws Cancelled if the run is.
   void progress(double share) const;
+
+  /// Whether the run is to end. Loops of xgm/base/parallel.hpp, progress() and the beginning and
+  /// end of stages look by themselves; what else may take more than some hundredths of a second
+  /// calls one of these in between. Any thread may.
+  bool cancelled() const { return stop_.stop_requested(); }
+  void throw_if_cancelled() const;
 
   /// Used by slots: the context of the stage in `field`.
   Context inside(std::string_view field, std::string_view kind, const std::string& plugin,
@@ -60,7 +69,7 @@ class XGM_API Context {
   }
 
   /// Used by slots: runs `body` as the stage at this place, timed and told to the observer; adds
-  /// the path to what it throws.
+  /// the path to what it throws. Throws Cancelled, and tells of no end, if the run is cancelled.
   template <class Body>
   auto run_stage(Body body) const {
     const StageRun run(*this);
@@ -102,6 +111,7 @@ class XGM_API Context {
   void tell_input(const Artifact& input) const;
 
   Observer* observer_ = nullptr;
+  std::stop_token stop_;
   bool base_is_reverse_ = false;
   StagePlace place_;
   double begin_ = 0, end_ = 1;
