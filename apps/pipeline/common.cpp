@@ -4,8 +4,10 @@
 #include <spdlog/spdlog.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <opencv2/core/utility.hpp>
 
 #include "console.hpp"
 #include "xgm/io/file.hpp"
@@ -68,6 +70,11 @@ void add_memory_limit_option(CLI::App& command, std::string& limit) {
                   "Refuse to begin what is going to take more memory than this ('pipeline plan' "
                   "tells how much it is)")
       ->type_name("SIZE");
+}
+
+void set_opencv_threads(int threads) {
+  // OpenCV's scheduler complains of more threads than there are processors.
+  if (threads > 0) cv::setNumThreads(std::min(threads, cv::getNumberOfCPUs()));
 }
 
 std::string pipelines_folder() {

@@ -67,6 +67,9 @@ CLI::Option* add_dataset_option(CLI::App& command, std::string& dataset);
 /// --memory-limit, for commands that match.
 void add_memory_limit_option(CLI::App& command, std::string& limit);
 
+/// OpenCV has one number of threads for the whole process: that of --threads, if it is given (> 0).
+void set_opencv_threads(int threads);
+
 /// The folder of the shipped pipelines.
 std::string pipelines_folder();
 

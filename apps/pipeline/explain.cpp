@@ -47,6 +47,7 @@ int explain_checked(const Options& options, const Pipeline& pipeline, const Plan
       pipeline, request,
       {.load = workload_of(request, threads_of(options)), .truth = !scene.truth.disparity.empty()},
       plan.memory_limit);
+  set_opencv_threads(options.threads);
   progress.begin("matching");
   pipeline.run(request, {.observer = &observer, .threads = options.threads});
   progress.end();

@@ -20,7 +20,7 @@ struct Options {
 int list(const Options& options) {
   const Registry registry = make_registry(options.plugins);
   try {
-    if (!options.kind.empty()) require_kind(options.kind);
+    if (!options.kind.empty()) require_kind(options.kind, registry);
   } catch (const Error& error) {
     throw UsageError(error.message());
   }

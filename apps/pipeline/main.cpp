@@ -65,6 +65,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", "xgm " XGM_VERSION);
   app.require_subcommand(1);
   app.footer("Exit codes: 0 done; 1 the run failed or its map is empty; 2 usage or configuration.");
+  std::optional<SimdChoice> simd;  // of this thread, which makes all runs
   Invocation call{{argv + 1, argv + argc}};
   add_run(app, call);
   add_eval(app, call);
@@ -80,7 +81,7 @@ int main(int argc, char** argv) {
   add_plan(app, call);
   add_speed(app, call);
   try {
-    if (const char* target = std::getenv("XGM_SIMD")) use_simd(target);
+    if (const char* target = std::getenv("XGM_SIMD")) simd.emplace(target);
     require_known_names(app, call.arguments);
   } catch (const Error& error) {
     spdlog::error(error.what());

@@ -15,7 +15,8 @@
 #include "run_inputs.hpp"
 #include "run_memory.hpp"
 #include "values.hpp"
-#include "xgm/synthesis/plain_scene.hpp"
+#include "xgm/evaluation/plan_json.hpp"
+#include "xgm/synthesis/generate.hpp"
 
 namespace xgm::cli {
 namespace {
@@ -26,52 +27,58 @@ struct Options : RunOptions {
   bool json = false;
 };
 
+/// The stages inside follow a stage; the index behind the last of them.
+std::size_t end_of(const std::vector<PlannedStage>& stages, std::size_t i) {
+  std::size_t end = i + 1;
+  while (end < stages.size() && stages[end].place.depth > stages[i].place.depth) ++end;
+  return end;
+}
+
 /// A matcher without matchers inside stands for its stages: one view of one level.
-bool is_shown(const std::vector<PlannedStage>& stages, std::size_t i) {
-  const auto lies_in = [](const PlannedStage& inner, const PlannedStage& outer) {
-    return outer.kind == "matcher" && inner.path.starts_with(outer.path + '.');
-  };
-  const auto lies_here = [&](const PlannedStage& stage) { return lies_in(stage, stages[i]); };
-  const auto holds_this = [&](const PlannedStage& stage) {
-    return lies_in(stages[i], stage) &&
-           std::none_of(stages.begin(), stages.end(), [&](const PlannedStage& inner) {
-             return inner.kind == "matcher" && lies_in(inner, stage);
-           });
-  };
-  const bool holds_matcher = std::any_of(stages.begin(), stages.end(), [&](const auto& stage) {
-    return stage.kind == "matcher" && lies_here(stage);
-  });
-  return !holds_matcher && std::none_of(stages.begin(), stages.end(), holds_this);
+std::vector<bool> shown(const std::vector<PlannedStage>& stages) {
+  std::vector<bool> shown(stages.size(), true);
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    if (stages[i].place.kind != "matcher") continue;
+    const std::size_t end = end_of(stages, i);
+    const auto at = [&](std::size_t k) { return stages.begin() + static_cast<std::ptrdiff_t>(k); };
+    const bool holds_matcher = std::any_of(at(i + 1), at(end), [](const PlannedStage& stage) {
+      return stage.place.kind == "matcher";
+    });
+    if (holds_matcher) {
+      shown[i] = false;
+    } else {
+      for (std::size_t k = i + 1; k < end; ++k) shown[k] = false;
+    }
+  }
+  return shown;
 }
 
 /// Its own and those of the stages inside.
-double seconds_with_inner(const std::vector<PlannedStage>& stages, const PlannedStage& outer) {
+double seconds_with_inner(const std::vector<PlannedStage>& stages, std::size_t i) {
   double seconds = 0;
-  for (const PlannedStage& stage : stages) {
-    if (stage.path == outer.path || stage.path.starts_with(outer.path + '.')) {
-      seconds += stage.seconds;
-    }
-  }
+  for (std::size_t k = i; k < end_of(stages, i); ++k) seconds += stages[k].seconds;
   return seconds;
 }
 
 void print_table(const RunPlan& plan, bool all_stages) {
   std::size_t width = std::string("stage").size();
-  for (const PlannedStage& stage : plan.stages) width = std::max(width, stage.path.size());
+  for (const PlannedStage& stage : plan.stages) width = std::max(width, stage.place.path.size());
   const auto row = [&](const auto&... cells) {
     std::cout << fmt::format("{:<{}}  {:>12}  {:>8}  {:>9}  {:>9}  {:>8}\n", cells...);
   };
   row("stage", width, "size", "cells/px", "M cells", "memory", "seconds");
+  const std::vector<bool> is_shown = shown(plan.stages);
   for (std::size_t i = 0; i < plan.stages.size(); ++i) {
     const PlannedStage& stage = plan.stages[i];
-    if (!all_stages && !is_shown(plan.stages, i)) continue;
+    if (!all_stages && !is_shown[i]) continue;
     const Workload& load = stage.load;
-    const bool has_cells = stage.kind != "preprocess" && stage.kind != "filter" &&
-                           stage.kind != "consistency" && stage.kind != "penalty";
-    row(stage.path, width, fmt::format("{} x {}", load.size.width, load.size.height),
+    const std::string& kind = stage.place.kind;
+    const bool has_cells =
+        kind != "preprocess" && kind != "filter" && kind != "consistency" && kind != "penalty";
+    row(stage.place.path, width, fmt::format("{} x {}", load.size.width, load.size.height),
         has_cells ? fmt::format("{}{:.0f}", load.estimated ? "~" : "", load.cells_per_pixel) : "",
         has_cells ? fmt::format("{:.1f}", load.cells() / 1e6) : "", bytes_text(stage.memory),
-        fmt::format("{:.2f}", seconds_with_inner(plan.stages, stage)));
+        fmt::format("{:.2f}", seconds_with_inner(plan.stages, i)));
   }
 }
 
@@ -85,9 +92,9 @@ void print(const Options& options, const RunPlan& plan, const PlanRequest& reque
   std::cout << "\nmemory: " << bytes_text(plan.peak_bytes) << " at most, in " << plan.peak_stage
             << '\n';
   if (plan.estimated) {
-    std::cout << (request.experience.narrowing
+    std::cout << (options.size.empty()
                       ? "        ~ as far as a run on smaller images tells of these\n"
-                      : "        ~ typical; what finer levels search depends on the scene\n");
+                      : "        ~ as in a generated scene; it depends on what the images show\n");
   }
   std::cout << fmt::format("time:   about {:.1f} s of matching\n", plan.seconds) << std::flush;
 }
@@ -105,7 +112,7 @@ cv::Size parse_size(const std::string& text) {
 }
 
 /// Nothing but a size is known: colour images, every pixel with data.
-PlanRequest request_of_size(const Options& options, const Pipeline& pipeline, int threads) {
+Workload load_of_size(const Options& options, const Pipeline& pipeline, int threads) {
   const cv::Size size = parse_size(options.size);
   Interval disparities;
   if (!options.disparities.empty()) {
@@ -121,26 +128,33 @@ PlanRequest request_of_size(const Options& options, const Pipeline& pipeline, in
                      std::to_string(size.width) + " px wide; give a smaller range");
   }
   constexpr int kColour = 3;
-  PlanRequest request{.load = Workload::dense(size, kColour, possible)};
-  request.load.threads = threads;
-  synthesis::PlainOptions pair;
-  pair.size = {512, 384};
-  pair.disparities = {0, 64};
-  pair.colour = true;
-  synthesis::GeneratedScene scene = synthesis::generate_plain(pair);
-  const auto range = DisparityRange::uniform(scene.pair.size(), scene.disparities);
-  request.experience = probe_whole(pipeline, {std::move(scene.pair), range, {}}, threads);
-  request.experience.narrowing.reset();
-  return request;
+  Workload load = Workload::dense(size, kColour, possible);
+  load.threads = threads;
+  return load;
 }
 
-PlanRequest request_of_scene(const Options& options, const Pipeline& pipeline, const Plan& plan,
-                             int threads) {
+/// A generated scene in place of one that is not there.
+RunTrace trace_of_generated(const Pipeline& pipeline, int threads) {
+  synthesis::Options options;
+  options.size = {512, 384};
+  options.disparities = {0, 64};
+  synthesis::GeneratedScene scene = synthesis::generate(options);
+  const auto range = DisparityRange::uniform(scene.pair.size(), scene.disparities);
+  return RunTrace::of_whole(pipeline, {std::move(scene.pair), range, {}}, threads);
+}
+
+RunPlan plan_of_size(const Options& options, const Pipeline& pipeline, int threads,
+                     PlanRequest& request) {
+  request.load = load_of_size(options, pipeline, threads);
+  return plan_run(trace_of_generated(pipeline, threads), request);
+}
+
+RunPlan plan_of_scene(const Options& options, const Pipeline& pipeline, const Plan& plan,
+                      int threads, PlanRequest& request) {
   Inputs inputs = read_inputs(options, plan);
   const MatchRequest match{std::move(inputs.scene.pair), inputs.range, {}};
-  return {.load = workload_of(match, threads),
-          .truth = !inputs.scene.truth.disparity.empty(),
-          .experience = probe(pipeline, match, threads)};
+  request = {.load = workload_of(match, threads), .truth = !inputs.scene.truth.disparity.empty()};
+  return plan_run(RunTrace::of_reduced(pipeline, match, threads), request);
 }
 
 int plan(const Options& options) {
@@ -150,14 +164,15 @@ int plan(const Options& options) {
   if (!named) return kUsage;
   const Pipeline& pipeline = named->pipeline;
   const int threads = threads_of(options);
+  set_opencv_threads(threads);
   Progress progress;
   progress.begin("measuring the speed of this machine");
-  const PlanRequest request =
-      options.size.empty()
-          ? request_of_scene(options, pipeline, make_plan(options, pipeline, registry), threads)
-          : request_of_size(options, pipeline, threads);
+  PlanRequest request;
+  const RunPlan planned =
+      options.size.empty() ? plan_of_scene(options, pipeline,
+                                           make_plan(options, pipeline, registry), threads, request)
+                           : plan_of_size(options, pipeline, threads, request);
   progress.end();
-  const RunPlan planned = plan_run(pipeline, request);
   if (options.json) {
     std::cout << to_json(planned, request);
   } else {

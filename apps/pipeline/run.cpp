@@ -116,6 +116,7 @@ int run_checked(const RunOptions& options, const Pipeline& pipeline, const Plan&
 
 int run(const RunOptions& options, const std::vector<std::string>& command_line) {
   set_up_logging(options.log_level);
+  set_opencv_threads(options.threads);
   const std::vector<Override> overrides = parse_overrides(options.assignments);
   const Registry registry = make_registry(options.plugins);
   const auto named = load_named(options.pipeline, registry, overrides);

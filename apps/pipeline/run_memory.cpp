@@ -10,13 +10,13 @@ namespace xgm::cli {
 namespace {
 
 /// What would make it fit.
-std::string remedy(const Pipeline& pipeline, const PlanRequest& request, const RunPlan& plan,
+std::string remedy(const RunTrace& trace, const PlanRequest& request, const RunPlan& plan,
                    double limit) {
   const Interval range = request.load.range;
   const std::string smaller = "match smaller images";
   std::string text = "search fewer disparities, ";
   if (!request.load.ragged) {
-    const int fitting = max_disparities(pipeline, request, limit);
+    const int fitting = max_disparities(trace, request, limit);
     if (fitting == 0) return smaller;
     text = fmt::format("search at most {} disparities (--disparities {}:{}), ", fitting,
                        range.begin, range.begin + fitting - 1);
@@ -36,18 +36,16 @@ void guard_memory(const Pipeline& pipeline, const MatchRequest& match, const Pla
                   std::optional<double> limit) {
   const std::uint64_t available = available_memory();
   const double free = static_cast<double>(available) + static_cast<double>(resident_memory());
-  PlanRequest known = request;
-  RunPlan plan = plan_run(pipeline, known);
-  if (limit && plan.estimated) {
-    known.experience = probe(pipeline, match, request.load.threads);
-    plan = plan_run(pipeline, known);
-  }
   limit_memory(available);
+  if (!limit && usual_bytes(request.load) <= free) return;
+  const RunTrace trace = RunTrace::of_reduced(pipeline, match, request.load.threads);
+  const RunPlan plan = plan_run(trace, request);
   if (plan.peak_bytes <= limit.value_or(free)) return;
-  const std::string needed = fmt::format(
-      "{} x {} px with {} disparities take {} {}", known.load.size.width, known.load.size.height,
-      known.load.range.size(), plan.estimated ? "about" : "up to", bytes_text(plan.peak_bytes));
-  const std::string what_helps = remedy(pipeline, known, plan, limit.value_or(free));
+  const std::string needed =
+      fmt::format("{} x {} px with {} disparities take {} {}", request.load.size.width,
+                  request.load.size.height, request.load.range.size(),
+                  plan.estimated ? "about" : "up to", bytes_text(plan.peak_bytes));
+  const std::string what_helps = remedy(trace, request, plan, limit.value_or(free));
   if (limit) {
     throw UsageError(needed + ", and --memory-limit allows " + bytes_text(*limit) + "; " +
                      what_helps + ", or raise the limit");

@@ -16,12 +16,12 @@ class RunObserver final : public RunRecorder {
   /// All of it also goes to `other`, which outlives the run.
   void show_to(Observer& other) { others_.push_back(&other); }
 
-  void log(LogLevel level, const std::string& stage_path, const std::string& text) override;
-  void stage_begin(const std::string& stage_path, const std::string& plugin) override;
-  void stage_end(const std::string& stage_path, const StageStatistics& statistics,
+  void log(LogLevel level, const StagePlace& place, const std::string& text) override;
+  void stage_begin(const StagePlace& place) override;
+  void stage_end(const StagePlace& place, const StageStatistics& statistics,
                  const Artifact& result) override;
-  void stage_input(const std::string& stage_path, const Artifact& input) override;
-  void report(const std::string& stage_path, const std::string& name, double value) override;
+  void stage_input(const StagePlace& place, const Artifact& input) override;
+  void figure(const StagePlace& place, const std::string& name, double value) override;
   void progress(double share) override { progress_.share(share); }
 
  private:

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "common.hpp"
+#include "xgm/pipeline/describe.hpp"
 
 namespace xgm::cli {
 

@@ -8,6 +8,7 @@
 #include <iostream>
 #include <memory>
 
+#include "common.hpp"
 #include "console.hpp"
 #include "output_folder.hpp"
 #include "progress.hpp"
@@ -87,6 +88,7 @@ int speed(const Options& options) {
   if (!options.json.empty() && options.json != "-") {
     require_writable("--json ", std::filesystem::path(options.json).parent_path().string());
   }
+  set_opencv_threads(plan.threads);
   Progress progress;
   progress.begin("reading the images");
   auto [scene, range] = read_inputs(options, inputs_plan);

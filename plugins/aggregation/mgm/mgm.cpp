@@ -21,7 +21,7 @@ namespace {
 /// If only one of p - r and p - r-perp exists (border, no data), its message counts fully. P1 and
 /// P2 are those of step x. Sums are fixed-point numbers (AggregatedVolume::fraction_bits);
 /// path_engine/fixed_point.hpp derives their error.
-class Mgm final : public xgm::Aggregation {
+class Mgm final : public xgm::Aggregation, public xgm::StatesNeeds {
  public:
   using Parameters = xgm::aggregation::PathParameters;
 

@@ -38,7 +38,7 @@ Needs needs(const Workload& load, const std::vector<Pass>& passes) {
   // The forward and the backward pass each read a cost (1 byte) and read and write a sum (4 bytes).
   // A sum that is begun is not read.
   const double bytes_per_cell = 2 * 5.0 * static_cast<double>(passes.size()) - 2;
-  Needs needs{.volumes = 2 * load.cells(), .moved = bytes_per_cell * load.cells()};
+  Needs needs{.moved = bytes_per_cell * load.cells()};
   for (const Pass& pass : passes) {
     double working = 0;
     for (const Pass& way : both_directions(pass)) {

@@ -48,7 +48,8 @@ std::string spell(const Node& node) {
   return "nothing";
 }
 
-void report(Diagnostics& diagnostics, Location where, std::string message, std::string remedy) {
+void add_diagnostic(Diagnostics& diagnostics, Location where, std::string message,
+                    std::string remedy) {
   Diagnostic& added = diagnostics.emplace_back();
   added.where = std::move(where);
   added.message = std::move(message);

@@ -55,7 +55,7 @@ std::vector<const PluginInfo*> find_plugins(const std::string& name, const Regis
   if (slash == std::string::npos) {
     found = registry.named(name);
   } else {
-    require_kind(name.substr(0, slash));
+    require_kind(name.substr(0, slash), registry);
     const PluginInfo* plugin = registry.find(name.substr(0, slash), name.substr(slash + 1));
     if (plugin != nullptr) found.push_back(plugin);
   }
@@ -79,9 +79,9 @@ void require_name(const std::string& what, const std::string& name,
   throw Error("there is no " + what + " '" + name + "'; " + suggest(name, names, what + "s"));
 }
 
-void require_kind(const std::string& kind) {
+void require_kind(const std::string& kind, const Registry& registry) {
   std::vector<std::string> names;
-  for (const auto& [name, text] : Registry::kinds()) names.push_back(name);
+  for (const KindInfo& known : registry.kinds()) names.push_back(known.name);
   require_name("kind", kind, names);
 }
 

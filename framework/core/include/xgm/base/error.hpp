@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one exception type for failures while a pipeline runs.
+// What is thrown while a pipeline runs: failures, and that it was cancelled.
 #pragma once
 
 #include <stdexcept>
@@ -23,6 +23,13 @@ class XGM_API Error : public std::runtime_error {
  private:
   std::string stage_path_;
   std::string message_;
+};
+
+/// A run that was ended from outside, see RunOptions::stop: no failure of a stage, so it has no
+/// path.
+class XGM_API Cancelled : public Error {
+ public:
+  Cancelled();
 };
 
 }  // namespace xgm

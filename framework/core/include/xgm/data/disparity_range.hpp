@@ -65,6 +65,10 @@ class XGM_API DisparityRange {
   }
   /// Smallest interval that contains the intervals of all pixels.
   Interval hull() const { return hull_; }
+  /// Of the maps; 0 for a uniform range.
+  std::size_t bytes() const { return begin_.total() * 2 * sizeof(int); }
+  /// Where the maps lie: equal for ranges that share them; null for a uniform range.
+  const void* data() const { return begin_.data; }
 
   /// The range of the reverse map: pixel x' of the match image may take -d if some base pixel
   /// x = x' + d may take d. With per-pixel ranges, each match pixel gets the hull of these.

@@ -28,6 +28,6 @@ XGM_API void require_name(const std::string& what, const std::string& name,
                           const std::vector<std::string>& names);
 
 /// Throws Error unless there is such a kind of stage.
-XGM_API void require_kind(const std::string& kind);
+XGM_API void require_kind(const std::string& kind, const Registry& registry);
 
 }  // namespace xgm

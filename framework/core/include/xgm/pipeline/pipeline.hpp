@@ -13,8 +13,7 @@
 #include "xgm/data/match.hpp"
 #include "xgm/pipeline/run_options.hpp"
 #include "xgm/plugin/registry.hpp"
-#include "xgm/stage/context.hpp"
-#include "xgm/stage/planner.hpp"
+#include "xgm/stage/pipeline.hpp"
 
 namespace xgm {
 
@@ -31,8 +30,8 @@ class XGM_API Pipeline {
   /// Runs preprocess, matcher and postprocess. Throws Error. The result has the request's size.
   MatchResult run(const MatchRequest& request, const RunOptions& options = {}) const;
 
-  /// Walks through what run() does, and has every stage tell what it needs; see xgm/plan.hpp.
-  void plan(const Workload& load, const Planner& planner) const;
+  /// What the file is: a StereoFamily, or that of another room or plugin file.
+  const Stage& family() const;
 
   /// The disparities that the file itself asks for, if it does.
   std::optional<Interval> disparities() const;
@@ -44,6 +43,8 @@ class XGM_API Pipeline {
   std::string graph() const;
 
  private:
+  const StereoFamily* stereo_family() const;
+
   friend struct PipelineLoader;
   struct Impl;
   std::shared_ptr<const Impl> impl_;
@@ -71,12 +72,5 @@ template <class Kind>
 std::shared_ptr<const Kind> make_stage(const std::string& yaml, const Registry& registry) {
   return std::dynamic_pointer_cast<const Kind>(make_stage(Kind::kKind, yaml, registry));
 }
-
-/// A plugin's parameters with types, units, ranges, defaults and texts.
-XGM_API std::string describe_text(const PluginInfo& plugin);
-XGM_API std::string describe_json(const PluginInfo& plugin);
-XGM_API std::string describe_markdown(const PluginInfo& plugin);
-/// JSON Schema (draft 7) of pipeline files, for editors.
-XGM_API std::string pipeline_schema(const Registry& registry);
 
 }  // namespace xgm

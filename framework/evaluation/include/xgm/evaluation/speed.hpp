@@ -23,8 +23,10 @@ struct SpeedPlan {
   std::vector<SpeedPipeline> pipelines;
   std::vector<std::string> simd;  ///< every pipeline runs with each of these; see xgm/base/simd.hpp
   std::vector<std::string> peers;  ///< of opencv_modes()
-  int threads = 1;                 ///< of the pipelines and of OpenCV; at least 1
-  int rounds = 5;                  ///< at least 1
+  /// Of the pipelines; at least 1. OpenCV has as many as the program has given it
+  /// (cv::setNumThreads): the same ones, if times are to be compared.
+  int threads = 1;
+  int rounds = 5;  ///< at least 1
 };
 
 struct StageSeconds {
