@@ -25,12 +25,13 @@ struct InputFile {
 };
 
 struct Scene {
-  std::string name;
-  ImagePair pair;
-  std::optional<Interval> disparities;
-  GroundTruth truth;
-  std::vector<InputFile> inputs;
-  std::vector<std::string> notes;  ///< what a reader should know about the images
+  std::string name{};
+  ImagePair pair{};
+  std::optional<Interval> disparities{};  ///< to be searched, if it is known
+  std::optional<Calibration> calibration{};
+  GroundTruth truth{};
+  std::vector<InputFile> inputs{};   ///< files that were read
+  std::vector<std::string> notes{};  ///< what a reader should know about the images
 };
 
 /// The scenes in `folder`, sorted by name. Opens no image. The data set is
@@ -38,13 +39,13 @@ struct Scene {
 ///   such YAML;
 /// - else dataset.yaml in the folder;
 /// - else the data set that recognises the folder, among those that need no parameters.
-/// Throws Error if none or several recognise it, or if `dataset` is faulty (with file, line and
-/// remedy).
+/// Throws UsageError if none or several recognise it, or if `dataset` is faulty (with file, line
+/// and remedy).
 XGM_API std::vector<SceneFiles> find_scenes(const std::string& folder, const Registry& registry,
                                             const std::string& dataset = {});
 
 /// The scene called `name`; without a name, the only scene, or the scene with the name of the
-/// folder. Throws Error that lists all names.
+/// folder. Throws UsageError that lists all names.
 XGM_API SceneFiles find_scene(const std::string& folder, const Registry& registry,
                               const std::string& name = {}, const std::string& dataset = {});
 
@@ -58,6 +59,9 @@ XGM_API Scene load_scene(const SceneFiles& files);
 /// non_occluded is read from the mask, else derived from `visible`, else from both views by
 /// cross_check. Throws Error, also if a file has another size.
 XGM_API GroundTruth load_truth(const TruthFiles& files, cv::Size size);
+
+/// Throws Error unless some pixel has a disparity by which a map is judged: see is_judged().
+XGM_API void require_judgeable(const GroundTruth& truth);
 
 /// The files of the ground truth that were read, with their roles.
 XGM_API std::vector<InputFile> identify_truth(const TruthFiles& files);

@@ -70,8 +70,9 @@ XGM_API std::vector<BenchScene> find_bench_scenes(const std::vector<std::string>
 XGM_API void identify_images(std::vector<BenchScene>& scenes);
 /// Makes names unique and usable for folders: pipelines of the same name become "sgm8", "sgm8-2".
 XGM_API void name_folders(std::vector<BenchPipeline>& pipelines);
-/// The files of this program, and the given plugin files.
-XGM_API std::vector<FileIdentity> identify_program(const std::vector<std::string>& plugins);
+/// What decides of a program's results: its file, the libraries and the plugin files given.
+XGM_API std::vector<FileIdentity> identify_program(const std::string& program,
+                                                   const std::vector<std::string>& plugins);
 
 /// How maps are evaluated.
 struct BenchRules {
