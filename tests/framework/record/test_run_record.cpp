@@ -20,8 +20,6 @@ TEST_CASE("recorder: stages in the order they begin, figures at the call that to
   recorder.report("matcher.cost", "ones", 2);
   recorder.stage_end("matcher.cost", {0.25, 20}, {});
   recorder.report("elsewhere", "lost", 3);
-  recorder.log(LogLevel::info, "matcher", "not kept");
-  recorder.log(LogLevel::warning, "matcher", "kept");
   const auto& stages = recorder.stages();
   REQUIRE(stages.size() == 4);
   CHECK(stages[0].path == "matcher");
@@ -31,8 +29,6 @@ TEST_CASE("recorder: stages in the order they begin, figures at the call that to
   CHECK(stages[2].statistics.bytes == 20);
   CHECK(stages[2].figures[0].second == 2);
   CHECK(stages[3].path == "elsewhere");
-  REQUIRE(recorder.warnings().size() == 1);
-  CHECK(recorder.warnings()[0] == "matcher: kept");
 }
 
 TEST_CASE("run.json is valid JSON whatever the names and figures are") {

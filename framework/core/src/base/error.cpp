@@ -10,4 +10,6 @@ Error::Error(const std::string& stage_path, const std::string& message)
       stage_path_(stage_path),
       message_(message) {}
 
+UsageError::UsageError(const std::string& message) : Error(message) {}
+
 }  // namespace xgm

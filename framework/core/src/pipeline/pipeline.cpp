@@ -58,6 +58,7 @@ ParameterSet pipeline_parameters() {
 }
 
 struct Pipeline::Impl {
+  std::string file;
   PipelineParameters parameters;
   nlohmann::ordered_json resolved;
 };
@@ -80,16 +81,12 @@ class OpenCvThreads {
 };
 
 void check_request(const MatchRequest& request) {
-  const cv::Size size = request.pair.size();
-  if (size.empty()) throw Error("the images are empty; give an image pair with pixels");
-  if (request.pair.match.size() != size) {
-    throw Error("the images differ in size; a rectified pair has images of one size");
-  }
-  if (request.range.size() != size) {
-    throw Error("the search range is not of the images' size; make range maps of that size");
+  require_sound(request.pair);
+  if (request.range.size() != request.pair.size()) {
+    throw UsageError("the search range is not of the images' size; make range maps of that size");
   }
   if (request.range.hull().empty()) {
-    throw Error("the search range is empty; give at least one disparity");
+    throw UsageError("the search range is empty; give at least one disparity");
   }
 }
 
@@ -106,7 +103,7 @@ MatchResult Pipeline::run(const MatchRequest& request, const RunOptions& options
   check_request(request);
   const PipelineParameters& p = impl_->parameters;
   if (!request.range.is_uniform() && !accepts_range_maps()) {
-    throw Error("matcher", "needs one range for the whole image; give no range maps");
+    throw UsageError("matcher: needs one range for the whole image; give no range maps");
   }
   const ThreadLimit limit(options.threads);
   const OpenCvThreads opencv_limit(options.threads);
@@ -152,6 +149,8 @@ bool Pipeline::accepts_range_maps() const {
   return impl_->parameters.matcher->accepts_range_maps();
 }
 
+const std::string& Pipeline::file() const { return impl_->file; }
+
 std::string Pipeline::resolved_json() const { return impl_->resolved.dump(2); }
 
 std::string Pipeline::graph() const { return graph_text(impl_->resolved); }
@@ -166,6 +165,7 @@ struct PipelineLoader {
              "start with 'xgm: 1' and 'matcher: {type: ...}'");
     } else {
       const auto impl = std::make_shared<Pipeline::Impl>();
+      impl->file = name;
       ParameterSet set;
       describe(impl->parameters, set);
       root.where = {name};
@@ -215,9 +215,7 @@ std::shared_ptr<const Stage> make_stage(std::string_view kind, const std::string
   std::shared_ptr<const Stage> stage;
   if (node) stage = Binder(registry, diagnostics).stage(*node, kind).stage;
   if (stage != nullptr) return stage;
-  std::string message;
-  for (const Diagnostic& d : diagnostics) message += (message.empty() ? "" : "\n") + to_string(d);
-  throw Error(message);
+  throw UsageError(to_string(diagnostics));
 }
 
 }  // namespace xgm

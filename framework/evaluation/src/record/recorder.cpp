@@ -16,11 +16,6 @@ StageRecord* latest(std::vector<StageRecord>& stages, const std::string& path, b
 
 }  // namespace
 
-void RunRecorder::log(LogLevel level, const std::string& stage_path, const std::string& text) {
-  if (level != LogLevel::warning) return;
-  warnings_.push_back(stage_path.empty() ? text : stage_path + ": " + text);
-}
-
 void RunRecorder::stage_begin(const std::string& stage_path, const std::string& plugin) {
   stages_.push_back({stage_path, plugin, {}, false, {}});
 }
