@@ -25,12 +25,13 @@ struct InputFile {
 };
 
 struct Scene {
-  std::string name;
-  ImagePair pair;
-  std::optional<Interval> disparities;
-  GroundTruth truth;
-  std::vector<InputFile> inputs;
-  std::vector<std::string> notes;  ///< what a reader should know about the images
+  std::string name{};
+  ImagePair pair{};
+  std::optional<Interval> disparities{};  ///< to be searched, if it is known
+  std::optional<Calibration> calibration{};
+  GroundTruth truth{};
+  std::vector<InputFile> inputs{};   ///< files that were read
+  std::vector<std::string> notes{};  ///< what a reader should know about the images
 };
 
 /// The scenes in `folder`, sorted by name; opens no image. Which data set it is:
@@ -38,12 +39,13 @@ struct Scene {
 ///   file of such YAML;
 /// - else dataset.yaml in the folder;
 /// - else the one that recognises the folder, of all that need no parameters.
-/// Throws Error if none or several do, or if what is given is faulty (with file, line and remedy).
+/// Throws UsageError if none or several do, or if what is given is faulty (with file, line and
+/// remedy).
 XGM_API std::vector<SceneFiles> find_scenes(const std::string& folder, const Registry& registry,
                                             const std::string& dataset = {});
 
 /// The scene called `name`; without a name the only one, or the one that is called as the folder
-/// is. Throws Error that lists the names there are.
+/// is. Throws UsageError that lists the names there are.
 XGM_API SceneFiles find_scene(const std::string& folder, const Registry& registry,
                               const std::string& name = {}, const std::string& dataset = {});
 
@@ -57,6 +59,9 @@ XGM_API Scene load_scene(const SceneFiles& files);
 /// is no file. non_occluded is the mask, else made from `visible`, else from both views by
 /// cross_check. Throws Error, also if a file is of another size.
 XGM_API GroundTruth load_truth(const TruthFiles& files, cv::Size size);
+
+/// Throws Error unless some pixel has a disparity by which a map is judged: see is_judged().
+XGM_API void require_judgeable(const GroundTruth& truth);
 
 /// The truth among the files that were read, with their parts.
 XGM_API std::vector<InputFile> identify_truth(const TruthFiles& files);

@@ -69,8 +69,9 @@ XGM_API std::vector<BenchScene> find_bench_scenes(const std::vector<std::string>
 XGM_API void identify_images(std::vector<BenchScene>& scenes);
 /// Makes names unique and fit for folders, for pipelines called alike ("sgm8", "sgm8-2").
 XGM_API void name_folders(std::vector<BenchPipeline>& pipelines);
-/// What this program is made of, and the plugin files given.
-XGM_API std::vector<FileIdentity> identify_program(const std::vector<std::string>& plugins);
+/// What decides of a program's results: its file, the libraries and the plugin files given.
+XGM_API std::vector<FileIdentity> identify_program(const std::string& program,
+                                                   const std::vector<std::string>& plugins);
 
 /// How maps are judged.
 struct BenchRules {

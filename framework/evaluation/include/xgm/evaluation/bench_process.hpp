@@ -34,10 +34,10 @@ class XGM_API FolderLock {
   int file_ = -1;
 };
 
-/// Runs this program with other arguments, its output going to `log`, until it ends or this process
-/// is told to; it does not outlive this process. `failure` is the last error that it printed, or
-/// how it ended.
-XGM_API RunOutcome run_this_program(const std::vector<std::string>& arguments,
-                                    const std::string& log);
+/// Runs the file `program`, its output going to `log`, until it ends or this process is told to; it
+/// does not outlive this process. `words` are its command line, the program's own name first.
+/// `failure` is the last error that it printed, or how it ended.
+XGM_API RunOutcome run_program(const std::string& program, const std::vector<std::string>& words,
+                               const std::string& log);
 
 }  // namespace xgm
