@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes what stages produce while a pipeline runs, for a look inside.
+// Writes the results of chosen stages while a pipeline runs, for inspection.
 #pragma once
 
 #include <map>
@@ -11,8 +11,8 @@
 
 namespace xgm {
 
-/// A file that a dump wrote. Volumes are dense over [first_disparity, ...): the file alone does not
-/// say where it begins.
+/// A file that a dump wrote. Volumes are dense over [first_disparity, ...); the file itself does
+/// not contain the first disparity.
 struct DumpedFile {
   std::string file;
   std::string stage_path;
