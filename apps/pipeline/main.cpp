@@ -7,10 +7,12 @@
 
 #include <cstdlib>
 #include <iostream>
+#include <new>
 #include <opencv2/core/utils/logger.hpp>
 
-#include "common.hpp"
-#include "console.hpp"
+#include "commands.hpp"
+#include "terminal/console.hpp"
+#include "xgm/base/error.hpp"
 #include "xgm/base/simd.hpp"
 #include "xgm/pipeline/lookup.hpp"
 #include "xgm/plugin/version.hpp"
@@ -94,6 +96,9 @@ int main(int argc, char** argv) {
   } catch (const UsageError& error) {
     spdlog::error(error.what());
     return kUsage;
+  } catch (const std::bad_alloc&) {
+    spdlog::error("not enough memory; use smaller images");
+    return kFailed;
   } catch (const std::exception& error) {
     spdlog::error(error.what());
     return kFailed;

@@ -31,8 +31,6 @@ TEST_CASE("recorder: stages in the order they begin, figures at the call that to
   recorder.figure(at("matcher.cost"), "ones", 2);
   recorder.stage_end(at("matcher.cost"), {0.25, 20}, {});
   recorder.figure(at("elsewhere"), "lost", 3);
-  recorder.log(LogLevel::info, at("matcher"), "not kept");
-  recorder.log(LogLevel::warning, at("matcher"), "kept");
   const auto& stages = recorder.stages();
   REQUIRE(stages.size() == 4);
   CHECK(stages[0].place.path == "matcher");
@@ -42,8 +40,6 @@ TEST_CASE("recorder: stages in the order they begin, figures at the call that to
   CHECK(stages[2].statistics.bytes == 20);
   CHECK(stages[2].figures[0].second == 2);
   CHECK(stages[3].place.path == "elsewhere");
-  REQUIRE(recorder.warnings().size() == 1);
-  CHECK(recorder.warnings()[0] == "matcher: kept");
 }
 
 TEST_CASE("run.json tells the place of every stage") {

@@ -65,4 +65,10 @@ std::string to_string(const Diagnostic& diagnostic) {
   return without_controls(std::move(text));
 }
 
+std::string to_string(const Diagnostics& diagnostics) {
+  std::string text;
+  for (const Diagnostic& d : diagnostics) text += (text.empty() ? "" : "\n") + to_string(d);
+  return text;
+}
+
 }  // namespace xgm

@@ -18,6 +18,7 @@
 namespace xgm {
 
 struct Pipeline::Impl {
+  std::string file;
   std::shared_ptr<const Stage> family;
   nlohmann::ordered_json resolved;
 };
@@ -25,16 +26,12 @@ struct Pipeline::Impl {
 namespace {
 
 void check_request(const MatchRequest& request) {
-  const cv::Size size = request.pair.size();
-  if (size.empty()) throw Error("the images are empty; give an image pair with pixels");
-  if (request.pair.match.size() != size) {
-    throw Error("the images differ in size; a rectified pair has images of one size");
-  }
-  if (request.range.size() != size) {
-    throw Error("the search range is not of the images' size; make range maps of that size");
+  require_sound(request.pair);
+  if (request.range.size() != request.pair.size()) {
+    throw UsageError("the search range is not of the images' size; make range maps of that size");
   }
   if (request.range.hull().empty()) {
-    throw Error("the search range is empty; give at least one disparity");
+    throw UsageError("the search range is empty; give at least one disparity");
   }
 }
 
@@ -49,9 +46,11 @@ RunState with_stop(RunState state, const std::stop_token& stop) {
 MatchResult Pipeline::run(const MatchRequest& request, const RunOptions& options) const {
   check_request(request);
   const StereoFamily* const stereo = stereo_family();
-  if (stereo == nullptr) throw Error("this pipeline matches no single image pair; see its 'type'");
+  if (stereo == nullptr) {
+    throw UsageError("this pipeline matches no single image pair; see its 'type'");
+  }
   if (!request.range.is_uniform() && !stereo->accepts_range_maps()) {
-    throw Error("matcher", "needs one range for the whole image; give no range maps");
+    throw UsageError("matcher: needs one range for the whole image; give no range maps");
   }
   const ThreadLimit limit(options.threads);
   const SimdChoice simd(options.simd);
@@ -77,6 +76,8 @@ bool Pipeline::accepts_range_maps() const {
   return stereo != nullptr && stereo->accepts_range_maps();
 }
 
+const std::string& Pipeline::file() const { return impl_->file; }
+
 std::string Pipeline::resolved_json() const { return impl_->resolved.dump(2); }
 
 std::string Pipeline::graph() const { return graph_text(impl_->resolved); }
@@ -96,7 +97,7 @@ struct PipelineLoader {
       if (diagnostics.empty()) {
         Pipeline pipeline;
         pipeline.impl_ = std::make_shared<Pipeline::Impl>(
-            Pipeline::Impl{std::move(bound.stage), std::move(bound.resolved)});
+            Pipeline::Impl{name, std::move(bound.stage), std::move(bound.resolved)});
         result.pipeline = std::move(pipeline);
       }
     }
@@ -142,9 +143,7 @@ std::shared_ptr<const Stage> make_stage(std::string_view kind, const std::string
   std::shared_ptr<const Stage> stage;
   if (node) stage = Binder(registry, diagnostics).stage(*node, kind).stage;
   if (stage != nullptr) return stage;
-  std::string message;
-  for (const Diagnostic& d : diagnostics) message += (message.empty() ? "" : "\n") + to_string(d);
-  throw Error(message);
+  throw UsageError(to_string(diagnostics));
 }
 
 }  // namespace xgm

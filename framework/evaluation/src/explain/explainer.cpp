@@ -12,14 +12,14 @@ namespace {
 void check(cv::Size size, const std::vector<cv::Point>& pixels, const cv::Mat1f& truth) {
   for (const cv::Point& pixel : pixels) {
     if (cv::Rect({}, size).contains(pixel)) continue;
-    throw Error("pixel " + std::to_string(pixel.x) + " " + std::to_string(pixel.y) +
-                " lies outside of the images, which are " + std::to_string(size.width) + " x " +
-                std::to_string(size.height) + " pixels; give x from 0 to " +
-                std::to_string(size.width - 1) + " and y from 0 to " +
-                std::to_string(size.height - 1));
+    throw UsageError("pixel " + std::to_string(pixel.x) + " " + std::to_string(pixel.y) +
+                     " lies outside of the images, which are " + std::to_string(size.width) +
+                     " x " + std::to_string(size.height) + " pixels; give x from 0 to " +
+                     std::to_string(size.width - 1) + " and y from 0 to " +
+                     std::to_string(size.height - 1));
   }
   if (!truth.empty() && truth.size() != size) {
-    throw Error("the truth is not of the images' size; give that of the same scene");
+    throw UsageError("the truth is not of the images' size; give that of the same scene");
   }
 }
 

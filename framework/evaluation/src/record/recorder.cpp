@@ -23,11 +23,6 @@ StageRecord& add(std::vector<StageRecord>& stages, const StagePlace& place) {
 
 }  // namespace
 
-void RunRecorder::log(LogLevel level, const StagePlace& place, const std::string& text) {
-  if (level != LogLevel::warning) return;
-  warnings_.push_back(place.path.empty() ? text : place.path + ": " + text);
-}
-
 void RunRecorder::stage_begin(const StagePlace& place) { add(stages_, place); }
 
 void RunRecorder::stage_end(const StagePlace& place, const StageStatistics& statistics,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is thrown while a pipeline runs: failures, and that it was cancelled.
+// What is thrown: failures of a run, that it was cancelled, and mistakes of the caller that are
+// found before it.
 #pragma once
 
 #include <stdexcept>
@@ -30,6 +31,14 @@ class XGM_API Error : public std::runtime_error {
 class XGM_API Cancelled : public Error {
  public:
   Cancelled();
+};
+
+/// A mistake of the caller, found before any work: a name that does not exist, a file that is
+/// missing, values that contradict each other. Programs tell it from a run that failed (the command
+/// line returns 2 instead of 1).
+class XGM_API UsageError : public Error {
+ public:
+  explicit UsageError(const std::string& message);
 };
 
 }  // namespace xgm

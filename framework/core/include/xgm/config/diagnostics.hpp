@@ -27,5 +27,7 @@ using Diagnostics = std::vector<Diagnostic>;
 
 /// "file:line:column: error: message; remedy"
 XGM_API std::string to_string(const Diagnostic& diagnostic);
+/// All of them, a line each; no line end after the last.
+XGM_API std::string to_string(const Diagnostics& diagnostics);
 
 }  // namespace xgm

@@ -42,4 +42,8 @@ struct XGM_API ImagePair {
   ImagePair swapped() const { return {match, base, !is_reverse}; }
 };
 
+/// Throws UsageError unless both images have pixels, one or three planes, and all planes and masks
+/// of both are of one size.
+XGM_API void require_sound(const ImagePair& pair);
+
 }  // namespace xgm

@@ -27,11 +27,13 @@ struct DumpedFile {
 /// - volumes: <path>.npy, shape (height, width, disparities) over the hull of all ranges, unsigned
 ///   8 or 16 bit, the largest value = no match
 /// A stage that runs again under the same path gets ".2", ".3" and so on.
-class XGM_API Dumper {
+class XGM_API Dumper final : public Observer {
  public:
   Dumper(std::string folder, std::string pattern);
 
   bool wants(const std::string& stage_path) const;
+  void stage_end(const std::string& stage_path, const StageStatistics& statistics,
+                 const Artifact& result) override;
   /// Throws Error if a file cannot be written.
   void write(const std::string& stage_path, const Artifact& result);
   const std::vector<DumpedFile>& files() const { return files_; }

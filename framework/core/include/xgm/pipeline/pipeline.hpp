@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The facade: load and check a pipeline, run it. The command line and C++ programs use this.
+// Load and check a pipeline, run it on a pair of images.
 #pragma once
 
 #include <memory>
@@ -27,7 +27,8 @@ struct Override {
 /// A checked pipeline, ready to run any number of times.
 class XGM_API Pipeline {
  public:
-  /// Runs preprocess, matcher and postprocess. Throws Error. The result has the request's size.
+  /// Runs preprocess, matcher and postprocess. The result has the request's size. Throws UsageError
+  /// for a request that fits neither itself nor the pipeline, and Error.
   MatchResult run(const MatchRequest& request, const RunOptions& options = {}) const;
 
   /// What the file is: a StereoFamily, or that of another room or plugin file.
@@ -37,6 +38,8 @@ class XGM_API Pipeline {
   std::optional<Interval> disparities() const;
   bool accepts_range_maps() const;
 
+  /// The file that it was loaded from, or the name that was given to its text.
+  const std::string& file() const;
   /// Every parameter with the value it has, defaults included.
   std::string resolved_json() const;
   /// The stages and their parameters as an indented tree for reading.
@@ -65,7 +68,7 @@ XGM_API LoadedPipeline load_pipeline_text(const std::string& text, const std::st
                                           const std::vector<Override>& overrides = {});
 
 /// Makes one stage from YAML: make_stage("cost", "{type: census, window: 7}", registry). Throws
-/// Error with all diagnostics in its message.
+/// UsageError with all diagnostics in its message.
 XGM_API std::shared_ptr<const Stage> make_stage(std::string_view kind, const std::string& yaml,
                                                 const Registry& registry);
 template <class Kind>

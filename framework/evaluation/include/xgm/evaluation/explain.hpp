@@ -112,8 +112,8 @@ struct Explanation {
 /// outside: what happened inside is shown for the same place, and its result is right again.
 class XGM_API Explainer final : public Observer {
  public:
-  /// `truth`: disparities of the base view, px, not finite = unknown; may be empty. Throws Error
-  /// if a pixel lies outside, or the truth is of another size.
+  /// `truth`: disparities of the base view, px, not finite = unknown; may be empty. Throws
+  /// UsageError if a pixel lies outside, or the truth is of another size.
   Explainer(cv::Size size, std::vector<cv::Point> pixels, cv::Mat1f truth = {});
   ~Explainer() override;
 

@@ -24,21 +24,18 @@ struct StageRecord {
   std::vector<std::pair<std::string, double>> figures;  ///< that the stage told
 };
 
-/// Collects what an observer is told. Programs that show progress too derive from it.
-class XGM_API RunRecorder : public Observer {
+/// Collects the stages of a run.
+class XGM_API RunRecorder final : public Observer {
  public:
-  void log(LogLevel level, const StagePlace& place, const std::string& text) override;
   void stage_begin(const StagePlace& place) override;
   void stage_end(const StagePlace& place, const StageStatistics& statistics,
                  const Artifact& result) override;
   void figure(const StagePlace& place, const std::string& name, double value) override;
 
   const std::vector<StageRecord>& stages() const { return stages_; }
-  const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
   std::vector<StageRecord> stages_;
-  std::vector<std::string> warnings_;
 };
 
 /// All that run.json holds.
