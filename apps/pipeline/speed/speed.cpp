@@ -82,7 +82,6 @@ int speed(const Options& options) {
   if (!options.json.empty() && options.json != "-") {
     require_writable(std::filesystem::path(options.json).parent_path().string(), "--json ");
   }
-  set_opencv_threads(plan.threads);
   Progress progress;
   progress.begin("reading the images");
   SceneInputs inputs =
