@@ -85,6 +85,18 @@ RunState with_stop(RunState state, const std::stop_token& stop) {
   return state;
 }
 
+/// Key points leave hundreds of MB in the heap, also if the run is cancelled meanwhile.
+struct HeapTrimmed {
+  ~HeapTrimmed() { trim_heap(); }
+};
+
+ImagePair preprocess(const Context& context, const SlotList<Preprocess>& stages, ImagePair pair) {
+  if (stages.empty()) return pair;
+  const HeapTrimmed trimmed;
+  for (const auto& stage : stages) pair = stage(context, pair);
+  return pair;
+}
+
 /// What volumes leave for each other is gone before the maps are worked on.
 MatchResult match(const Context& context, const Slot<Matcher>& matcher,
                   const MatchRequest& request) {
@@ -106,10 +118,7 @@ MatchResult Pipeline::run(const MatchRequest& request, const RunOptions& options
   const Context context(options.observer, run.state.stop);
   context.throw_if_cancelled();
   MatchRequest prepared = request;
-  for (const auto& stage : p.preprocess) {
-    prepared.pair = stage(context.part(0, 0.03), prepared.pair);
-  }
-  if (!p.preprocess.empty()) trim_heap();  // where key points leave hundreds of MB behind
+  prepared.pair = preprocess(context.part(0, 0.03), p.preprocess, request.pair);
   MatchResult result = match(context.part(0.03, 0.95), p.matcher, prepared);
   for (const auto& stage : p.postprocess) {
     const Context rest = context.part(0.95, 1);

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "xgm/base/error.hpp"
 #include "xgm/base/export.hpp"
 #include "xgm/config/diagnostics.hpp"
 #include "xgm/data/match.hpp"
@@ -28,7 +29,8 @@ struct Override {
 /// A checked pipeline, ready to run any number of times.
 class XGM_API Pipeline {
  public:
-  /// Runs preprocess, matcher and postprocess. Throws Error. The result has the request's size.
+  /// Runs preprocess, matcher and postprocess. The result has the request's size. Throws Error, and
+  /// Cancelled if the run is. Any number of runs, also of one pipeline, may be under way at once.
   MatchResult run(const MatchRequest& request, const RunOptions& options = {}) const;
 
   /// Walks through what run() does, and has every stage tell what it needs; see xgm/plan.hpp.
