@@ -22,7 +22,7 @@ struct PlainOptions {
   double gain = 1;              ///< exposure of the match image: gain * level + bias
   double bias = 0;              ///< grey levels
   double noise = 0;             ///< standard deviation in both views, grey levels
-  VerticalShift shift;          ///< of the match image
+  VerticalShift shift{};        ///< of the match image
   bool whole_levels = true;     ///< round to whole grey levels, as an 8-bit camera does
 };
 
