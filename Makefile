@@ -10,7 +10,7 @@ pipeline := build/release/bin/pipeline
 .PHONY: help packages configure build demo test check reference format
 help:
 	@echo "make demo    match the Aloe pair with the paper's best pipeline; pictures in $(demo)/"
-	@echo "make build   the program, $(pipeline)"
+	@echo "make build   the program, $(pipeline), and the SDK"
 	@echo "make test    build and run the whole test suite"
 	@echo "make check   what every change must pass: .ci/run"
 	@echo "make reference  write docs/reference anew, after plugins changed"
@@ -23,8 +23,9 @@ packages:
 configure: packages
 	@cmake --preset release $(CMAKE_FLAGS) >build/configure.log || { cat build/configure.log; exit 1; }
 
+# All that can be installed.
 build: configure
-	@cmake --build --preset release --target pipeline
+	@cmake --build --preset release --target pipeline xgm_testing
 
 demo: build $(aloe)/aloeGT.png
 	@$(pipeline) run tmgm16_refined.yaml --left $(aloe)/aloeL.jpg --right $(aloe)/aloeR.jpg \

@@ -7,10 +7,12 @@
 
 #include <cstdlib>
 #include <iostream>
+#include <new>
 #include <opencv2/core/utils/logger.hpp>
 
-#include "common.hpp"
-#include "console.hpp"
+#include "commands.hpp"
+#include "terminal/console.hpp"
+#include "xgm/base/error.hpp"
 #include "xgm/base/simd.hpp"
 #include "xgm/pipeline/lookup.hpp"
 #include "xgm/plugin/version.hpp"
@@ -65,6 +67,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", "xgm " XGM_VERSION);
   app.require_subcommand(1);
   app.footer("Exit codes: 0 done; 1 the run failed or its map is empty; 2 usage or configuration.");
+  std::optional<SimdChoice> simd;  // of this thread, which makes all runs
   Invocation call{{argv + 1, argv + argc}};
   add_run(app, call);
   add_eval(app, call);
@@ -80,7 +83,7 @@ int main(int argc, char** argv) {
   add_plan(app, call);
   add_speed(app, call);
   try {
-    if (const char* target = std::getenv("XGM_SIMD")) use_simd(target);
+    if (const char* target = std::getenv("XGM_SIMD")) simd.emplace(target);
     require_known_names(app, call.arguments);
   } catch (const Error& error) {
     spdlog::error(error.what());
@@ -93,6 +96,9 @@ int main(int argc, char** argv) {
   } catch (const UsageError& error) {
     spdlog::error(error.what());
     return kUsage;
+  } catch (const std::bad_alloc&) {
+    spdlog::error("not enough memory; use smaller images");
+    return kFailed;
   } catch (const std::exception& error) {
     spdlog::error(error.what());
     return kFailed;

@@ -3,6 +3,7 @@
 #              [PRECOMPILE <header>...])
 # A room is a shared library of all sources below src/, with its public headers below include/. It is
 # installed as a component of its own: find_package(xgm COMPONENTS <name>) gives xgm::<name>.
+# NEEDS are the targets of rooms that were added before.
 set(XGM_CMAKE_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/xgm)
 function(xgm_add_room target)
   cmake_parse_arguments(PARSE_ARGV 1 room "" "COMPONENT" "SOURCES;NEEDS;LIBRARIES;PRECOMPILE")
@@ -26,6 +27,17 @@ function(xgm_add_room target)
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${room_COMPONENT})
   install(EXPORT ${target} NAMESPACE xgm:: FILE xgm_${room_COMPONENT}.cmake
     DESTINATION ${XGM_CMAKE_FOLDER} COMPONENT ${room_COMPONENT})
+  export(EXPORT ${target} NAMESPACE xgm::
+    FILE ${PROJECT_BINARY_DIR}/${XGM_CMAKE_FOLDER}/xgm_${room_COMPONENT}.cmake)
   install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/include/xgm COMPONENT ${room_COMPONENT}
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN *.hpp)
+  # For xgmConfig.cmake.
+  set(needs "")
+  foreach(need IN LISTS room_NEEDS)
+    get_target_property(component ${need} EXPORT_NAME)
+    list(APPEND needs ${component})
+  endforeach()
+  set_property(GLOBAL APPEND PROPERTY XGM_ROOMS ${room_COMPONENT})
+  set_property(GLOBAL APPEND_STRING PROPERTY XGM_ROOM_NEEDS
+    "set(xgm_needs_${room_COMPONENT} ${needs})\n")
 endfunction()

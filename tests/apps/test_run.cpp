@@ -177,7 +177,7 @@ TEST_CASE("run: images that cannot be matched are exit 1 with one error that nam
   check_failed("p.yaml" + images + "empty.png", "empty.png: is empty");
   check_failed("p.yaml scene --disparities 40:50", "cannot be seen in images 40 px wide");
   write_pfm(desk / "wide.pfm", cv::Mat1f(24, 41, 1.0f));
-  check_failed("p.yaml scene --truth wide.pfm", "the truth is 41 x 24");
+  check_failed("p.yaml scene --truth wide.pfm", "wide.pfm: is 41 x 24 pixels");
   check_failed("p.yaml scene --range-maps wide.pfm,wide.pfm", "range maps have the size");
 }
 

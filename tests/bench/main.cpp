@@ -11,7 +11,8 @@
 
 int main(int argc, char** argv) {
   try {
-    if (const char* target = std::getenv("XGM_SIMD")) xgm::use_simd(target);
+    const char* const target_wanted = std::getenv("XGM_SIMD");
+    const xgm::SimdChoice simd(target_wanted != nullptr ? target_wanted : "");
     std::string targets;
     for (const std::string& target : xgm::simd_targets()) targets += ' ' + target;
     benchmark::AddCustomContext("SIMD targets of this processor", targets);

@@ -4,7 +4,8 @@
 //   yaml FILE.yaml         a sound pipeline; later blocks of the same page find it under that name
 //   yaml faulty FILE.yaml  the same, but it is for later blocks to say what is wrong
 //   yaml KIND              one stage of that kind
-//   cpp FILE, cmake FILE   taken from tests/out_of_tree/project/FILE, which is built as a project
+//   cpp FILE, cmake FILE   taken from FILE of a project in tests/out_of_tree that is built and run:
+//                          project (plugins) or programs
 //   sh [exit=N]            calls of `pipeline`, run in a folder with images, exit code N (0)
 //   text                   after sh: all that the last call printed
 //   ... unchecked          anything else
@@ -19,6 +20,7 @@
 #include "docs/blocks.hpp"
 #include "support/support.hpp"
 #include "support/temporary_folder.hpp"
+#include "xgm/io/file.hpp"
 #include "xgm/io/image_io.hpp"
 #include "xgm/io/outputs.hpp"
 #include "xgm/io/pfm.hpp"
@@ -110,7 +112,7 @@ class Page {
     } else if (block.language == "yaml" && !detail.empty()) {
       CHECK_NOTHROW(make_stage(detail, block.text, registry_));
     } else if ((block.language == "cpp" || block.language == "cmake") && !detail.empty()) {
-      CHECK(contains(source_text("tests/out_of_tree/project/" + detail), block.text));
+      CHECK(is_of_project(detail, block.text));
     } else if (block.language == "sh") {
       run(block, detail.starts_with("exit=") ? std::stoi(detail.substr(5)) : 0);
     } else if (block.language == "text" && after_shell_) {
@@ -118,6 +120,16 @@ class Page {
     } else {
       FAIL_CHECK("nothing says how to check this block; see the top of test_guides.cpp");
     }
+  }
+
+  static bool is_of_project(const std::string& name, const std::string& text) {
+    const std::filesystem::path projects =
+        std::filesystem::path(XGM_SOURCE_DIR) / "tests/out_of_tree";
+    for (const char* project : {"project", "programs"}) {
+      const std::string file = (projects / project / name).string();
+      if (std::filesystem::exists(file) && contains(read_file(file), text)) return true;
+    }
+    return false;
   }
 
   void check_pipeline(const std::string& text, const std::string& name) {

@@ -51,14 +51,14 @@ std::string page(const std::string& kind, const std::string& text) {
   if (kind == Dataset::kKind) {
     page += "A data set " + text + ".\n\n";
     page +=
-        "It is no stage of a pipeline. It recognises its folders by itself, or is named with "
-        "`--dataset`, or in a file `dataset.yaml` beside the data: [Data "
+        "It is not a stage of a pipeline. It recognises its folders itself, or is selected by "
+        "`--dataset` or by a file `dataset.yaml` beside the data: [Data "
         "sets](../data_sets.md).\n\n";
   } else {
     page += article + kind + " stage " + text + ".\n\n";
     page += "In a pipeline: " + places(kind) + ".\n\n";
   }
-  page += "In C++: [`xgm/stage/" + kind + ".hpp`](../../framework/include/xgm/stage/" + kind +
+  page += "In C++: [`xgm/stage/" + kind + ".hpp`](../../framework/core/include/xgm/stage/" + kind +
           ".hpp).\n\n";
   for (const PluginInfo* plugin : builtins().plugins(kind)) page += describe_markdown(*plugin);
   page.pop_back();  // a page ends with one line end

@@ -107,6 +107,8 @@ inline Registry fake_registry() {
   registry.add<FakeFilter<false>>("fake_filter", "A filter for tests", "Nobody, Nowhere 2000");
   registry.add<FakeFilter<true>>("failing_filter", "A filter that fails");
   registry.add<FakeMatcher>("fake_matcher", "A matcher for tests");
+  static const Registry builtins = Registry::with_builtins();
+  registry.add(*builtins.find("pipeline", "stereo"));
   return registry;
 }
 

@@ -10,15 +10,12 @@
 
 namespace xgm::testing {
 
-/// Calls body() with each target in use, and the best one again afterwards.
+/// Calls body() with each target in use.
 template <class Body>
 void with_each_simd_target(const Body& body) {
-  struct Restore {
-    ~Restore() { use_simd(""); }
-  } const restore;
   for (const std::string& target : simd_targets()) {
     CAPTURE(target);
-    use_simd(target);
+    const SimdChoice choice(target);
     body();
   }
 }

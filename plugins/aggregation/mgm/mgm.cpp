@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// More global matching: each path also listens to its neighbour path (the paper's Eq. 6).
+// More global matching: each path also takes the message of a perpendicular neighbour (the paper's
+// Eq. 6).
 #include "plugins/aggregation/mgm/passes.hpp"
 #include "plugins/aggregation/path_engine/aggregate.hpp"
 #include "plugins/aggregation/path_engine/needs.hpp"
@@ -12,14 +13,15 @@ namespace {
 ///   [ min(L_r(p-x, d), L_r(p-x, d+-1) + P1(x), min_i L_r(p-x, i) + P2(x)) - min_i L_r(p-x, i) ],
 /// r-perp being r turned anticlockwise as seen on the screen; S is the sum over the directions r.
 ///
-/// Eq. 6 writes L_x on the right. Read literally this is circular: L_r would need L of r-perp, that
-/// the one of -r, and after four steps L_r(p, d) itself. The recursion of Facciolo et
-/// al., which the paper describes, has L_r in both terms, and so has this one.
+/// Eq. 6 has L_x on the right-hand side. Read literally, this is circular: L_r would need the path
+/// cost of r-perp, which would need that of -r, and after four steps L_r(p, d) itself. The
+/// recursion of Facciolo et al., which the paper describes, has L_r in both terms, and so has this
+/// one.
 ///
-/// If only one of p - r and p - r-perp exists (border, no data), its term counts fully. P1 and P2
-/// are those of the step x. Sums are fixed-point numbers (AggregatedVolume::fraction_bits) with
-/// the error derived in shared/fixed_point.hpp.
-class Mgm final : public xgm::Aggregation {
+/// If only one of p - r and p - r-perp exists (border, no data), its message counts fully. P1 and
+/// P2 are those of step x. Sums are fixed-point numbers (AggregatedVolume::fraction_bits);
+/// path_engine/fixed_point.hpp derives their error.
+class Mgm final : public xgm::Aggregation, public xgm::StatesNeeds {
  public:
   using Parameters = xgm::aggregation::PathParameters;
 

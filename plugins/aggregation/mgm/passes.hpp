@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// MGM's paths in two passes, and their opposites.
+// The paths of MGM in two passes; the opposite passes have the rest.
 #pragma once
 
 #include <algorithm>
@@ -10,9 +10,9 @@
 
 namespace xgm::mgm {
 
-/// A quarter of the directions: an axis, a diagonal, two knight's moves. Those for which both p - r
-/// and p - r-perp are visited before p in a pass down the rows, each from left to right. The other
-/// quarters are the same turned by right angles, passes and all.
+/// A quarter of the directions: an axis, a diagonal, two knight's moves. For these, both p - r and
+/// p - r-perp are visited before p in a pass down the rows, from left to right. The other quarters
+/// and their passes are the same turned by multiples of 90 degrees.
 inline constexpr std::array<Direction, 4> kQuarter{{{0, 1}, {-1, 1}, {-2, 1}, {-1, 2}}};
 
 static_assert(std::ranges::all_of(kQuarter, [](Direction r) {
@@ -20,8 +20,8 @@ static_assert(std::ranges::all_of(kQuarter, [](Direction r) {
          aggregation::comes_earlier(aggregation::anticlockwise(r), {1, 0}, {0, 1});
 }));
 
-/// Down the rows, and right along the columns; the opposites go up the rows, and left.
-/// `directions`: 4, 8 or 16.
+/// One pass down the rows and one over the columns to the right. The opposite passes go up the
+/// rows, and over the columns to the left. `directions`: 4, 8 or 16.
 inline std::vector<aggregation::Pass> passes(int directions) {
   std::vector<aggregation::Pass> all;
   std::array<Direction, 4> quarter = kQuarter;

@@ -1,31 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
-// Walks along lines and extends all paths at each of their pixels: where the time goes.
+// Walks along the lines of a band and extends all paths at each pixel: the hot loop of the engine.
 #pragma once
 
 #include "plugins/aggregation/path_engine/pass_walk.hpp"
 
 namespace xgm::aggregation {
 
-/// The lines of a band, line i being i * lag pixels behind the first one.
+/// The lines of a band. Line i is i * lag pixels behind the first line.
 template <class Cell>
 struct Band {
   WalkedLine<Cell> lines[kBand];
   int count;
 };
 
-/// Goes on from pixel `first` of the band's first line to before pixel `last`, and as far with the
-/// others; what lies outside a line is skipped. At each pixel:
-///   L = C + mean of the terms, and S += mean of the terms.
-/// Means are rounded to whole units, halves to even: always up or down, errors would add up.
+/// Walks pixels `first` to `last` - 1 of the band's first line, and as many pixels of each other
+/// line. Pixels outside a line are skipped. At each pixel and for each path:
+///   L = C + message, and S += message.
+/// The message of a path with two terms is their mean in whole units, halves rounded to even: if
+/// they were always rounded up or always down, the errors would add up.
 template <class Cell>
 using Advance = void (*)(PassWalk<Cell>& walk, Band<Cell>& band, int first, int last);
 
-/// The fastest that takes this pass, for the SIMD target in use.
+/// The fastest implementation for this pass and the SIMD target in use.
 template <class Cell>
 Advance<Cell> choose_advance(const PassStep& pass);
 
-/// The pixel that element k of its line's layout is about, cell by cell, in any pass: the reference
-/// of all others.
+/// Extends the paths at element k of the line's layout, cell by cell. Works for every pass, and is
+/// the reference for all other implementations.
 template <class Cell>
 void extend_plain(const PassWalk<Cell>& walk, WalkedLine<Cell>& line, int k);
 

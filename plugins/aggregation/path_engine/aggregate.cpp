@@ -8,8 +8,9 @@
 namespace xgm::aggregation {
 namespace {
 
-/// Sums of which the caches keep nothing until the next pass comes to them need not be read to be
-/// begun, if they are written in whole cache lines.
+/// Whether the first values of the sums are written past the caches. That saves reading memory
+/// before it is written; it pays if the caches would keep none of it until the next pass, and
+/// requires that sums are written in whole cache lines.
 bool begin_past_caches(const AggregatedVolume& sums, std::size_t larger_than_caches) {
   const VolumeShape& shape = sums.shape();
   const int room = VolumeShape::rounded_up(shape.max_count());
@@ -40,7 +41,7 @@ void run_passes(const CostVolume& costs, const PenaltyField& penalties,
     const double done = share * static_cast<double>(i);
     LineProgress progress(context.part(done, done + share), 2 * lines);
     run_opposed_passes(forward, backward, i == 0, progress);
-    context.progress(done + share);  // whichever thread came last
+    context.progress(done + share);  // the last line may have been another thread's
   }
 }
 
@@ -56,8 +57,8 @@ bool use_8_bit(PathCostWidth width, const Bounds& bounds, int fraction_bits) {
 AggregatedVolume aggregate_paths(const CostVolume& costs, const PenaltyField& penalties,
                                  const std::vector<Pass>& passes, const AggregationOptions& options,
                                  const Context& context) {
-  // L = C + what the path brings. The sum of the latter is S - N C, so that with the overcounting
-  // correction, S - (N - 1) C, just one C is added to it.
+  // L = C + message, so the messages of all N paths sum to S - N C. With the overcounting
+  // correction, S - (N - 1) C, C is added to that once; without it, N times.
   const Bounds bounds = find_bounds(costs, penalties, passes, options.overcounting_correction);
   AggregatedVolume sums(costs.shape_ptr(), choose_fraction_bits(bounds));
   if (costs.shape().cells() == 0) return sums;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a vector of path costs goes through, for the SIMD target that is being compiled.
-// Cells are handled in blocks. Targets with masks for bytes handle the end of a slice as a block of
-// which only a part is present. The others halve blocks down to a granule, so that a slice of whole
-// granules has no rest.
+// Operations on vectors of path costs, for the SIMD target that is being compiled.
+// A slice is handled in blocks, one vector each. Targets that have masks for bytes handle the end
+// of a slice as a partial block. The others halve the block size down to one granule; slices
+// consist of whole granules, so no cell is left over.
 #if defined(XGM_AGGREGATION_BLOCKS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef XGM_AGGREGATION_BLOCKS_INL_HPP
 #undef XGM_AGGREGATION_BLOCKS_INL_HPP
@@ -28,13 +28,14 @@ inline constexpr bool kMasks = HWY_TARGET <= HWY_AVX3;
 template <class D>
 inline constexpr int kLanes = static_cast<int>(hn::MaxLanes(D()));
 
-/// The first lanes of a part: `present` of them, none if that is negative.
+/// A mask of the first `present` lanes; empty if `present` is negative.
 template <class D>
 HWY_INLINE hn::Mask<D> present_lanes(D d, int present) {
   return hn::FirstN(d, static_cast<std::size_t>(present < 0 ? 0 : present));
 }
 
-/// Vectors of fewer lanes at the end of a slice give a minimum of all lanes, too.
+/// v repeated to the width of `full`, so that short blocks at the end of a slice can take part in a
+/// minimum over full vectors.
 template <class D, class Full>
 HWY_INLINE hn::VFromD<Full> repeated(D d, Full full, hn::VFromD<D> v) {
   if constexpr (hn::MaxLanes(d) == hn::MaxLanes(full)) {
@@ -45,13 +46,13 @@ HWY_INLINE hn::VFromD<Full> repeated(D d, Full full, hn::VFromD<D> v) {
   }
 }
 
-/// In all lanes.
+/// `cost` in all lanes.
 template <class D>
 HWY_INLINE hn::VFromD<D> filled(D d, const Repeated& cost) {
   return hn::BitCast(d, hn::Set(hn::Repartition<std::uint32_t, D>(), cost.bits()));
 }
 
-/// C in units of path costs, infinite where there is no match.
+/// Matching costs C in units of path costs; kNoMatch becomes infinite.
 template <class D>
 HWY_INLINE hn::VFromD<D> in_units(D d, hn::Vec<hn::Rebind<std::uint8_t, D> > cost, int bits) {
   if constexpr (sizeof(hn::TFromD<D>) == 1) {
@@ -64,7 +65,7 @@ HWY_INLINE hn::VFromD<D> in_units(D d, hn::Vec<hn::Rebind<std::uint8_t, D> > cos
   }
 }
 
-/// The same of cells in memory, infinite also from `count` on.
+/// in_units() of matching costs in memory; lanes from `count` on are infinite.
 template <class D>
 HWY_INLINE hn::VFromD<D> load_cost(D d, const std::uint8_t* cost, int bits, int count) {
   const hn::Rebind<std::uint8_t, D> d8;
@@ -74,7 +75,7 @@ HWY_INLINE hn::VFromD<D> load_cost(D d, const std::uint8_t* cost, int bits, int 
   return in_units(d, hn::IfThenElse(exists, cells, hn::Set(d8, CostVolume::kNoMatch)), bits);
 }
 
-/// The match classes of a block's disparities, from i on.
+/// The match classes of the disparities i, i + 1, ... of a block.
 template <bool kClasses, class D>
 HWY_INLINE hn::VFromD<D> load_classes(D d, const std::uint8_t* classes, int i) {
   if constexpr (!kClasses) {
@@ -86,7 +87,7 @@ HWY_INLINE hn::VFromD<D> load_classes(D d, const std::uint8_t* classes, int i) {
   }
 }
 
-/// The first lanes of v, as many as D has.
+/// The first lanes of v, as many as D has lanes.
 template <class D, class Full>
 HWY_INLINE hn::VFromD<D> first_lanes(D d, Full full, hn::VFromD<Full> v) {
   if constexpr (hn::MaxLanes(d) == hn::MaxLanes(full)) {
@@ -97,15 +98,16 @@ HWY_INLINE hn::VFromD<D> first_lanes(D d, Full full, hn::VFromD<Full> v) {
   }
 }
 
-/// The mean, halves to even: AverageRound rounds them up, which is odd where it must not be.
+/// The mean, halves rounded to even. AverageRound rounds halves up; where that gives an odd number,
+/// 1 is subtracted.
 template <class D>
 HWY_INLINE hn::VFromD<D> mean(D d, hn::VFromD<D> a, hn::VFromD<D> b) {
   const auto up = hn::AverageRound(a, b);
   return hn::Sub(up, hn::And(hn::And(hn::Xor(a, b), up), hn::Set(d, 1)));
 }
 
-/// Sums of 16 bit of as many lanes as path costs have. `present` says how many cells from `sums` on
-/// are the slice's; others are not touched.
+/// 16-bit sums for as many lanes as a vector of path costs has. `present` is the number of cells
+/// from `sums` on that belong to the slice; other cells are not touched.
 template <class D>
 struct Sums {
   using Wide = hn::Repartition<std::uint16_t, D>;
@@ -117,7 +119,7 @@ struct Sums {
     low = hn::Add(low, lower(d, message));
     if constexpr (kTwo) high = hn::Add(high, upper(d, message));
   }
-  /// Saturating, so that kNoMatch stays.
+  /// Adds to sums in memory. Addition saturates, so that kNoMatch stays kNoMatch.
   HWY_INLINE void add_to(std::uint16_t* sums, int present) const {
     const Wide d;
     if (!kMasks || HWY_LIKELY(present >= kLanes<D>)) {
@@ -131,7 +133,8 @@ struct Sums {
       if constexpr (kTwo) add_part(high, sums + kLanes<Wide>, present - kLanes<Wide>);
     }
   }
-  /// With the cost itself, kNoMatch where it is infinite. `past_caches` takes whole cache lines.
+  /// Writes the first values of sums: weight * cost + messages, or kNoMatch where `cost` is
+  /// infinite. `past_caches` requires whole cache lines.
   HWY_INLINE void begin(D d, hn::VFromD<D> cost, std::uint16_t weight, bool past_caches,
                         std::uint16_t* sums, int present) const {
     begin_half(lower(d, cost), low, weight, past_caches, sums, present);
@@ -176,7 +179,7 @@ struct Sums {
   }
 };
 
-/// The least of both halves, and so on down to 16 bytes.
+/// Minima of the lower and the upper half, repeated down to 16 bytes.
 template <class D>
 HWY_INLINE auto folded(D d, hn::VFromD<D> v) {
   if constexpr (hn::MaxLanes(d) * sizeof(hn::TFromD<D>) > 16) {
@@ -187,14 +190,14 @@ HWY_INLINE auto folded(D d, hn::VFromD<D> v) {
   }
 }
 
-/// Minima of lanes of a and b, in turn.
+/// Pairwise minima of the lanes of a and of b, interleaved: a, b, a, b, ...
 template <class D>
 HWY_INLINE hn::VFromD<D> min_in_turn(D d, hn::VFromD<D> a, hn::VFromD<D> b) {
   return hn::Min(hn::InterleaveLower(d, a, b), hn::InterleaveUpper(d, a, b));
 }
 
-/// 16 bytes of which lane k is the least of vector k, for one, two or four vectors at once:
-/// interleaved, a vector of minima holds those of all of them.
+/// 16 bytes whose lane k is the minimum of vector k, for one, two or four vectors at once. The
+/// vectors are interleaved, so that each further minimum serves all of them.
 template <class D, class V, class... More>
 HWY_INLINE auto min_lanes(D d, V first, More... more) {
   using Cell = hn::TFromD<D>;
@@ -218,7 +221,7 @@ HWY_INLINE auto min_lanes(D d, V first, More... more) {
   return minimum;
 }
 
-/// Lanes 0 to kCount - 1 of 16 bytes.
+/// Stores lanes 0 to kCount - 1 of v, 16 bytes, as Repeated.
 template <int kCount, class V>
 HWY_INLINE void store_repeated(V v, Repeated* to) {
   using Cell = hn::TFromV<V>;

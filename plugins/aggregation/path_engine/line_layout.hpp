@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Some pixels of a line, and all that is known of them before their path costs are.
+// Layout of a few pixels of a line: where their cells lie, found before path costs are computed.
 #pragma once
 
 #include <cstdint>
@@ -8,28 +8,29 @@
 
 namespace xgm::aggregation {
 
-/// Where pixels have their cells, and where those are that their paths look back at. Found for many
-/// pixels at a time, array by array in loops that vectors can do: pixel by pixel it would take
-/// longer than all arithmetic of a slice of 32 disparities.
+/// Where the cells of each pixel lie, and the cells of previous pixels that its steps read. The
+/// layout is computed for many pixels at a time, array by array, in loops that compilers vectorise:
+/// pixel by pixel it would take longer than all arithmetic of a slice of 32 disparities.
 struct LineLayout {
   static constexpr int kPixels = 32;
-  static constexpr int kAhead = 4;  ///< pixels, for what is fetched ahead
+  static constexpr int kAhead = 4;  ///< pixels by which costs and sums are prefetched
 
-  static constexpr int kNone = -1;     ///< base classes of no pixel
-  static constexpr int kUnknown = -2;  ///< those of a pixel whose classes have to be looked up
+  static constexpr int kNone = -1;     ///< equal to the base classes of no pixel
+  static constexpr int kUnknown = -2;  ///< the base classes do not fit one byte: look them up
 
-  int first;  ///< pixel of the line that the elements 0 are of
+  int first;  ///< element k describes pixel first + k of the line
 
-  int begin[kPixels] = {}, count[kPixels];  ///< the slice
-  /// Its cells, a multiple of VolumeShape::kGranule, all of which may be read and written. None if
-  /// there is nothing to do about this pixel, or no such pixel.
+  int begin[kPixels] = {}, count[kPixels];  ///< first disparity and length of the slice
+  /// Cells of the slice that may be read and written, a multiple of VolumeShape::kGranule. 0 if the
+  /// pixel has no disparities to search or does not exist.
   int room[kPixels];
-  std::int64_t offset[kPixels + kAhead];  ///< of the slice in volumes
-  int base_classes[kPixels];              ///< of all steps, if they are in one byte
-  int own[kPixels];                       ///< cell of the line's path costs that it begins with
-  /// The same of what a step looks back at: cell that disparity `begin` has there.
+  std::int64_t offset[kPixels + kAhead];  ///< of the slice in the volumes
+  int base_classes[kPixels];              ///< of all steps, packed into a byte
+  int own[kPixels];                       ///< first cell of the pixel in the line's path costs
+  /// Cell of disparity `begin` in the path costs of each step's previous pixel.
   int back[kMaxSteps][kPixels];
-  /// Negative if that is not there for all steps, or does not hold all disparities.
+  /// Negative if, for some step, the previous pixel does not exist or its path costs in memory do
+  /// not cover all disparities that the step reads.
   int odd[kPixels];
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tells how far parallel work has come, and brings its exceptions home.
+// Reports the progress of parallel work, and carries its exceptions to the calling thread.
 #pragma once
 
 #include <atomic>
@@ -12,9 +12,9 @@
 
 namespace xgm::aggregation {
 
-/// Counts lines that any thread has finished. An observer may be told from the thread that runs
-/// the pipeline only: so that thread, which works on lines like the others, tells after each of its
-/// own lines.
+/// Counts the lines that all threads have finished. Observers may be called from the thread that
+/// runs the pipeline only. That thread works on lines like the others, and reports the count after
+/// each of its own lines.
 class LineProgress {
  public:
   LineProgress(Context context, int lines) : context_(std::move(context)), lines_(lines) {}
@@ -31,7 +31,8 @@ class LineProgress {
   std::thread::id home_ = std::this_thread::get_id();
 };
 
-/// Runs pieces of work where exceptions must not leave: keeps the first one and skips what follows.
+/// Runs pieces of work in a place that exceptions must not leave. Keeps the first exception and
+/// skips all work after it.
 class ExceptionKeeper {
  public:
   template <class Work>

@@ -8,7 +8,7 @@
 namespace xgm::aggregation {
 namespace {
 
-/// Bytes of PathLines. A path cost is taken to have 8 bit, as with all shipped pipelines.
+/// Bytes of PathLines. Assumes path costs of 8 bit, which all shipped pipelines have.
 double line_bytes(const Workload& load, const Pass& pass, const LinesKept& kept) {
   const double length = PassFrame(load.size, pass.along, pass.across).length();
   const double pixels = std::min(length, double(kept.pixels));
@@ -19,8 +19,8 @@ double line_bytes(const Workload& load, const Pass& pass, const LinesKept& kept)
   return kept.bands * (whole + part) * static_cast<double>(pass.paths.size());
 }
 
-/// Bytes of PassPenalties, for penalties of two classes per step and view. Others need less, with
-/// one class, or a byte for every step.
+/// Bytes of PassPenalties, for penalties with two classes per step and view. Penalties with one
+/// class need less; penalties with more classes need a byte per step.
 double class_bytes(const Workload& load, int rows) {
   return rows * (2.0 * load.size.width + load.range.size());
 }
@@ -35,10 +35,10 @@ double working_bytes(const Workload& load, const Pass& pass) {
 }  // namespace
 
 Needs needs(const Workload& load, const std::vector<Pass>& passes) {
-  // A pass reads a cost, reads and writes a sum, and so does its opposite; where the sum is begun,
-  // it is not read.
+  // The forward and the backward pass each read a cost (1 byte) and read and write a sum (4 bytes).
+  // A sum that is begun is not read.
   const double bytes_per_cell = 2 * 5.0 * static_cast<double>(passes.size()) - 2;
-  Needs needs{.volumes = 2 * load.cells(), .moved = bytes_per_cell * load.cells()};
+  Needs needs{.moved = bytes_per_cell * load.cells()};
   for (const Pass& pass : passes) {
     double working = 0;
     for (const Pass& way : both_directions(pass)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What path-wise aggregations take: the sums, and beside them the path costs of the last few lines.
+// Memory and work of path-wise aggregation: the sums, and the path costs of the last few lines.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace xgm::aggregation {
 
-/// What aggregate_paths() takes with these passes and their opposites.
+/// Memory and work of aggregate_paths() with these passes and their opposites.
 XGM_API Needs needs(const Workload& load, const std::vector<Pass>& passes);
 
 }  // namespace xgm::aggregation

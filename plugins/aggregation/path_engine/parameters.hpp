@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parameters that all path-wise aggregations have.
+// Parameters that sgm and mgm share.
 #pragma once
 
 #include "xgm/config/parameters.hpp"

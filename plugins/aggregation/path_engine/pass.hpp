@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// In which order a pass visits the pixels, and which paths it extends at each of them.
+// Passes: the order in which pixels are visited, and the paths that are extended at each pixel.
 #pragma once
 
 #include <algorithm>
@@ -14,23 +14,23 @@ namespace xgm::aggregation {
 /// `r` turned anticlockwise by 90 degrees as seen on the screen (x to the right, y down).
 constexpr Direction anticlockwise(Direction r) { return {r.dy, -r.dx}; }
 
-/// One path cost L_r. It is computed from the path costs at p - x for each x of `steps`: r alone
-/// (sgm), or r and r-perp (mgm), whose terms are averaged.
+/// One path, with path costs L_r. L_r(p, .) is computed from L_r(p - x, .) for each x of `steps`: r
+/// alone (sgm), or r and r-perp (mgm), whose messages are averaged.
 struct Path {
   std::vector<Direction> steps;
 };
 
-/// A pass walks along lines of pixels, one line after the other: `along` leads from a pixel to the
-/// next one of its line, `across` from a line to the next one. Both are axis directions at right
-/// angles. In these coordinates a pixel is (u, v): pixel u of line v.
+/// A pass visits the image line by line. `along` leads from a pixel to the next one of its line,
+/// `across` from a line to the next one; they are axis directions at right angles. In these
+/// coordinates, (u, v) is pixel u of line v.
 struct Pass {
   Direction along;
   Direction across;
   std::vector<Path> paths;
 };
 
-/// A pass and its opposite, the same turned by 180 degrees: from the last pixel to the first, paths
-/// and all.
+/// The forward pass and the backward pass, which is the same turned by 180 degrees: it visits the
+/// pixels from the last to the first, and its paths have the opposite steps.
 inline std::array<Pass, 2> both_directions(const Pass& pass) {
   const auto turn = [](Direction& x) { x = {-x.dx, -x.dy}; };
   Pass opposite = pass;
@@ -40,7 +40,7 @@ inline std::array<Pass, 2> both_directions(const Pass& pass) {
   return {pass, opposite};
 }
 
-/// Coordinates of step x in a pass: how many pixels and lines it leads on.
+/// Step x in the coordinates of a pass: pixels along the line, and lines.
 constexpr int pixels_along(Direction x, Direction along) {
   return x.dx * along.dx + x.dy * along.dy;
 }
@@ -54,7 +54,8 @@ constexpr bool comes_earlier(Direction x, Direction along, Direction across) {
   return lines > 0 || (lines == 0 && pixels_along(x, along) > 0);
 }
 
-/// Where the pixels of a pass lie in an image. Its lines are first_line and those that follow.
+/// Maps (u, v) of a pass to image coordinates. The lines of the pass are numbered from first_line
+/// on.
 class PassFrame {
  public:
   PassFrame(cv::Size size, Direction along, Direction across, int first_line = 0)

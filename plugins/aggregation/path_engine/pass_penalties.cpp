@@ -60,7 +60,7 @@ PassPenalties<Cell>::PassPenalties(const PenaltyField& field, std::vector<Direct
       hull_(hull),
       base_(max_classes(tables, &PenaltyTable::base_classes), static_cast<int>(tables.size()), rows,
             width),
-      // Whole vectors of 64 are read at any disparity of the hull.
+      // A vector of up to 64 classes may be read from any disparity of the hull on.
       match_(max_classes(tables, &PenaltyTable::match_classes), static_cast<int>(tables.size()),
              rows, width + hull.size() + 64) {
   for (const PenaltyTable& table : tables) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// P1 and P2 of all steps of a pass: tables by class, and the classes of the pixels.
+// P1 and P2 of all steps of a pass: a table per step, indexed by class, and the classes of pixels.
 #pragma once
 
 #include <cstdint>
@@ -13,14 +13,14 @@
 
 namespace xgm::aggregation {
 
-/// The classes that all steps of a pass give to pixels. Where there are two per step, as most
-/// penalties have, a byte holds those of all steps, step t's in bit t. Else each step has a plane
-/// of bytes.
+/// The classes of pixels for all steps of a pass. If no step has more than two classes, which is
+/// the common case, one byte per pixel holds the classes of all steps, step t in bit t. Otherwise
+/// each step has a plane of bytes.
 class PixelClasses {
  public:
   static constexpr int kMaxPacked = 8;  ///< steps
 
-  /// `classes` is the largest number of any step.
+  /// `classes` is the largest number of classes that a step has.
   PixelClasses(int classes, int steps, int rows, int width);
 
   int count() const { return classes_; }
@@ -29,9 +29,10 @@ class PixelClasses {
   std::ptrdiff_t row_stride() const {
     return bytes_.empty() ? 0 : static_cast<std::ptrdiff_t>(bytes_.step1());
   }
-  /// All classes of the slot become 0, for add() to begin with.
+  /// Sets all classes of the slot to 0. Must precede add().
   void clear(int slot);
-  /// The classes that a step gives to pixels first, first + 1...; those that do not exist are left.
+  /// Sets the classes of a step for pixels first, first + 1, ... Pixels that do not exist are
+  /// skipped.
   void add(int step, int slot, int first, std::span<const std::uint8_t> classes);
   const std::uint8_t* at(int slot, int x) const { return bytes_[slot] + x; }
   int get(int step, const std::uint8_t* pixel) const {
@@ -41,33 +42,34 @@ class PixelClasses {
  private:
   int classes_, stride_;
   bool packed_;
-  cv::Mat1b bytes_;  // slot; planes, of x each. Empty if there is one class
+  cv::Mat1b bytes_;  // a row per slot: planes of pixels. Empty if there is one class
 };
 
-/// Holds the classes of as many image rows as the caller needs at a time: `rows` slots, filled by
-/// load(). Different slots may be used from different threads.
+/// Penalties of a pass. Holds the classes of `rows` image rows at a time, in slots that load()
+/// fills. Different slots may be used from different threads.
 template <class Cell>
 class PassPenalties {
  public:
-  /// Penalties are multiplied by `unit`. `width` is the image's, `hull` holds all disparities that
-  /// are asked for.
+  /// Penalties are multiplied by `unit`. `width` is the width of the image; `hull` contains all
+  /// disparities that are searched.
   PassPenalties(const PenaltyField& field, std::vector<Direction> steps, int rows, int width,
                 Interval hull, int unit);
 
-  /// Fetches the classes of image row y. Does nothing if there is one class only.
+  /// Fills a slot with the classes of image row y. Does nothing if there is one class only.
   void load(int slot, int y);
 
   bool same_everywhere() const { return base_.count() == 1 && match_.count() == 1; }
   const PixelClasses& base() const { return base_; }
-  /// The match pixels from right to left, so that those of ascending disparities lie side by side.
+  /// Classes of match pixels, stored from right to left, so that those of ascending disparities lie
+  /// side by side.
   const PixelClasses& match() const { return match_; }
-  /// Class of the match pixel of disparity 0 at pixel x; those of the next disparities follow,
-  /// those of the next pixels lie before it. Where the match pixel lies outside the image nothing
-  /// can be matched, and any class will do.
+  /// Class of the match pixel that disparity 0 has at pixel x. The classes of higher disparities
+  /// follow it; those of the pixels to the right of x lie before it. If the match pixel lies
+  /// outside the image, its disparity cannot be matched, and the class does not matter.
   const std::uint8_t* match_at(int slot, int x) const {
     return match_.at(slot, 0) + (width_ - 1 - x - hull_.begin);
   }
-  /// Tables of all steps: base classes x match classes each.
+  /// Tables of all steps, one after the other: base classes x match classes each.
   const StepPenalties* tables() const { return penalties_.data(); }
 
  private:

@@ -8,7 +8,7 @@
 namespace xgm::aggregation {
 namespace {
 
-/// Those of the first path, of the second...
+/// The steps of all paths, path by path.
 std::vector<Direction> all_steps(const Pass& pass) {
   std::vector<Direction> steps;
   for (const Path& path : pass.paths)
@@ -16,7 +16,7 @@ std::vector<Direction> all_steps(const Pass& pass) {
   return steps;
 }
 
-/// How far line v - 1 must be ahead of line v.
+/// Number of pixels that line v - 1 must be ahead of line v.
 int find_lag(const Pass& pass) {
   int lag = 0;
   for (const Direction x : all_steps(pass)) {
@@ -28,10 +28,10 @@ int find_lag(const Pass& pass) {
 
 }  // namespace
 
-/// A band is begun when all before it are finished but those that the other threads of its front
-/// are at. While a line of it is at pixel u, the ones that look back at it are at u - 2 * lag or
-/// before. One pixel more is kept because what is written behind a slice spoils the cells that
-/// follow.
+/// When a band is begun, all bands before it are finished, except those that other threads of the
+/// same direction are working on. While a line is at pixel u, the lines that read its path costs
+/// are at pixel u - 2 * lag or earlier. One more pixel is kept because the granule behind a slice
+/// overwrites the cells that follow.
 LinesKept lines_kept(const Pass& pass, int lines, int threads) {
   int looked_back = 0;
   for (const Direction x : all_steps(pass))
@@ -57,7 +57,7 @@ PassWalk<Cell>::PassWalk(const CostVolume& costs, const PenaltyField& penalties,
       penalties_(penalties, all_steps(pass),
                  frame_.lines_are_rows() ? lines_.slots() : shape_.height(), shape_.width(),
                  shape_.hull(), 1 << step.bits),
-      // A slice, a granule before it, and what whole vectors of 64 read behind it.
+      // A slice, a granule before it, and the cells that vectors of up to 64 read behind it.
       scratch_stride_(VolumeShape::rounded_up(shape_.max_count()) + 6 * kGranule) {
   for (const Direction x : all_steps(pass))
     steps_.push_back({pixels_along(x, pass.along), lines_across(x, pass.across)});
@@ -122,7 +122,7 @@ bool PassWalk<Cell>::lay_out(Line& line, int first, int last) {
   const int dy = frame_.along().dy;
   const Strided<VolumeShape::Slice> slices = line.slices;
   for (int k = from; k < to; ++k) {
-    // May lead beyond the image, which prefetching does not mind.
+    // The address may lie beyond the image; prefetching it is harmless.
     __builtin_prefetch(slices.at(first + k + LineLayout::kPixels));
     const VolumeShape::Slice slice = *slices.at(first + k);
     layout.begin[k] = slice.begin;
@@ -192,8 +192,8 @@ const Cell* PassWalk<Cell>::joined(int begin, int room, const Pixels& previous, 
                                    Cell* scratch) {
   Cell* const first = scratch + kGranule;
   std::fill(first - kGranule, first + room + kGranule, kInfinite<Cell>);
-  // Whole granules: behind the last one there are infinite costs, too. Nothing of what does not
-  // exist.
+  // Copies whole granules; the cells behind the count in the last one are infinite as well. Copies
+  // nothing from a previous pixel that does not exist.
   const int from = *previous.from + kGranule, to = *previous.to + 1 - kGranule;
   for (int d = std::max(from, begin - 1); d < std::min(to, begin + room + 1); d += kGranule)
     std::copy_n(costs + (*previous.zero + d), kGranule, first + (d - begin));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A pass over a volume as seen from a pixel: where its cells are, and what its paths look back at.
+// One pass over a volume: finds the cells of each pixel, and the terms that its paths read.
 #pragma once
 
 #include <cstddef>
@@ -14,15 +14,15 @@
 
 namespace xgm::aggregation {
 
-/// Lines that a thread walks along at once, a pixel of each in turn. A path along the line has to
-/// wait for its least cost at one pixel before the next; meanwhile the other lines advance.
+/// Lines that a thread walks along at once, one pixel of each in turn. A path along a line needs
+/// the minimum of one pixel before it can begin the next; meanwhile the other lines advance.
 inline constexpr int kBand = 4;
 constexpr int bands_of(int lines) { return (lines + kBand - 1) / kBand; }
 
-/// What path costs a pass keeps when so many threads walk.
+/// The path costs that a pass has to keep if `threads` threads walk.
 LinesKept lines_kept(const Pass& pass, int lines, int threads);
 
-/// What the pixels of a line have, `step` elements apart.
+/// A property of the pixels of a line, `step` elements apart.
 template <class T>
 struct Strided {
   const T* first = nullptr;
@@ -31,25 +31,25 @@ struct Strided {
   const T* at(int u) const { return first + u * step; }
 };
 
-/// A line that is being walked along.
+/// The state of a line that is being walked along.
 template <class Cell>
 struct WalkedLine {
   int v;
-  bool begins_sums;  ///< with cost_weight * C, or adds to them
-  cv::Point start;   ///< pixel 0 in the image
+  bool begins_sums;  ///< whether sums are begun with cost_weight * C, or added to
+  cv::Point start;   ///< image coordinates of pixel 0
   LineLayout layout;
   Strided<VolumeShape::Slice> slices;
-  Strided<std::uint8_t> base_classes;   ///< if there are several
-  Strided<std::uint8_t> match_classes;  ///< if there are several: those of disparity 0
+  Strided<std::uint8_t> base_classes;   ///< null if there is one class
+  Strided<std::uint8_t> match_classes;  ///< of disparity 0; null if there is one class
   LinePixels<Cell> pixels;
-  LinePixels<Cell> back[kMaxSteps];                  ///< back[t].at(u) is p - x of step t
-  const std::atomic<bool>* any_lost[kFarthest + 1];  ///< in this line, and those before it
-  const Cell* back_costs[kMaxSteps];                 ///< of its line and path
-  Cell* costs[kMaxPaths];                            ///< of this line
+  LinePixels<Cell> back[kMaxSteps];  ///< back[t].at(u) is the previous pixel of step t
+  const std::atomic<bool>* any_lost[kFarthest + 1];  ///< of this line, and of the lines before it
+  const Cell* back_costs[kMaxSteps];                 ///< path costs that step t reads
+  Cell* costs[kMaxPaths];                            ///< path costs of this line
   const StepPenalties* penalties[kMaxSteps];         ///< of each step, by match class
-  int known_classes;                                 ///< those of the layout that these belong to
-  Cell* scratch;                ///< a slice per step, should it have to be joined
-  Term<Cell> terms[kMaxSteps];  ///< of a pixel where not all is as usual
+  int known_classes;                                 ///< base classes that `penalties` belong to
+  Cell* scratch;                                     ///< a slice per step, for PassWalk::joined()
+  Term<Cell> terms[kMaxSteps];                       ///< of a pixel that is not the usual case
 };
 
 template <class Cell>
@@ -58,9 +58,9 @@ class PassWalk {
   using Pixels = LinePixels<Cell>;
   using Line = WalkedLine<Cell>;
 
-  /// `step` says what is the same for all passes; paths, terms and classes are found here. Lines
-  /// are counted from `first_line` on, less than kBand, so that bands can end where those of the
-  /// opposite pass begin.
+  /// `step` holds what is the same for all passes; its paths, terms and classes are set here. Lines
+  /// are numbered from `first_line` on, which is less than kBand, so that the bands of opposite
+  /// passes cover the same lines.
   PassWalk(const CostVolume& costs, const PenaltyField& penalties, const Pass& pass,
            const PathLayout& layout, PassStep step, AggregatedVolume& sums, int first_line);
 
@@ -69,25 +69,25 @@ class PassWalk {
   /// How far line v - 1 must be ahead of line v.
   int lag() const { return lag_; }
 
-  /// Fetches the penalties of all image rows, if the pass crosses them with each line.
+  /// Loads the penalties of all image rows, if lines are columns.
   void load_penalties();
-  /// Fetches those of a line that is an image row.
+  /// Loads the penalties of line v, if lines are rows.
   void load_penalties(int v);
   void begin_line(int v, bool begins_sums, Line& line);
 
-  /// Lays out pixels first..last - 1 of a line, LineLayout::kPixels at most, but for what they look
-  /// back at. Those that do not exist get no room; false if none does. All pixels of a line are
-  /// classes_of_pixels one after the other.
+  /// Lays out pixels first..last - 1 of a line, at most LineLayout::kPixels, except for `back` and
+  /// `odd`. Pixels that do not exist get no room; returns false if none exists. All pixels of a
+  /// line are laid out one after the other.
   bool lay_out(Line& line, int first, int last);
 
   const std::uint8_t* costs() const { return costs_.data(); }
   std::uint16_t* sums() const { return sums_.data(); }
 
-  /// Makes line.penalties those of element k of the layout.
+  /// Sets line.penalties to those of element k of the layout.
   [[gnu::always_inline]] void find_penalties(Line& line, int k) const {
     if (line.layout.base_classes[k] != line.known_classes) change_penalties(line, k);
   }
-  /// Match classes of all steps, of each of its disparities; null if there is one class only.
+  /// Match classes of pixel u from disparity `begin` on; null if there is one class only.
   [[gnu::always_inline]] const std::uint8_t* match_classes(const Line& line, int u,
                                                            int begin) const {
     if (line.match_classes.first == nullptr) return nullptr;
@@ -95,18 +95,18 @@ class PassWalk {
     return line.match_classes.at(u) + begin;
   }
 
-  /// The terms of all paths of element k of the layout, one path's after the other. Of two terms,
-  /// one that does not count is replaced by the other one, whose mean with itself it is. A single
-  /// one, or both, may be looked at: they bring nothing.
+  /// The terms of all paths at element k of the layout, path by path. If the previous pixel of one
+  /// of two terms is lost, the other term takes its place: the mean of a message with itself is
+  /// that message. If all previous pixels of a path are lost, its terms stay: their message is 0.
   const Term<Cell>* find_terms(Line& line, int k) const;
 
  private:
-  // Passes that go backwards or along columns are no pattern that processors foresee.
+  // Hardware prefetchers do not recognise the access pattern of passes backward or along columns.
   static constexpr int kClassesFetchedAhead = 24;  // in pixels
   static constexpr int kGranule = VolumeShape::kGranule;
 
   struct Step {
-    int along, across;  // p - x is pixel u - along of line v - across
+    int along, across;  // the previous pixel is pixel u - along of line v - across
   };
 
   std::int64_t offset_of(const Line& line, int u) const {
@@ -114,7 +114,8 @@ class PassWalk {
   }
   void plan_classes(Line& line, int from, int to) const;
   void change_penalties(Line& line, int k) const;
-  /// L(previous, .) where it does not hold all of these: copied in between more infinite costs.
+  /// Path costs of the previous pixel where those in memory do not cover disparities begin - 1 to
+  /// begin + room: copied to `scratch`, with infinite costs around them.
   static const Cell* joined(int begin, int room, const Pixels& previous, const Cell* costs,
                             Cell* scratch);
 
@@ -123,7 +124,7 @@ class PassWalk {
   AggregatedVolume& sums_;
   PassStep step_;
   PassFrame frame_;
-  std::vector<Step> steps_;  // those of the first path, of the second...
+  std::vector<Step> steps_;  // path by path
   int lag_;
   PathLines<Cell> lines_;
   PassPenalties<Cell> penalties_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Path costs of the last few lines of a pass: all that the recursion looks back at.
+// A ring of the path costs of the last few lines of a pass: all that later pixels read.
 #pragma once
 
 #include <algorithm>
@@ -15,14 +15,14 @@
 
 namespace xgm::aggregation {
 
-/// How the path costs of a line lie in memory: for each path the slices of all pixels, one behind
-/// the other, with a margin before each. The granule behind a slice is written with it, infinite,
-/// so that there is a granule of infinite costs on both sides.
+/// How the path costs of a line lie in memory: for each path, the slices of all pixels one behind
+/// the other, with a margin before each. The granule behind a slice is filled with infinite costs
+/// when the slice is written, so that every slice has infinite costs on both sides.
 class PathLayout {
  public:
   PathLayout(const VolumeShape& shape, int bytes_of_cell) : margin_(VolumeShape::kGranule) {
-    // Whole cache lines where slices are long and always lie at the same places, so that what is
-    // between them stays infinite from the beginning.
+    // In dense volumes slices lie at the same places in every line, so margins stay infinite. If
+    // slices are long, margins of a cache line are affordable, and keep slices aligned to them.
     const int cache_line = static_cast<int>(kBufferAlignment) / bytes_of_cell;
     const int room = VolumeShape::rounded_up(shape.max_count());
     const bool dense =
@@ -43,11 +43,11 @@ class PathLayout {
   }
 
   int margin() const { return margin_; }
-  /// From one path's cells to the next one's.
+  /// From the first cell of a slice of `room` cells to that of the next slice.
   int stride(int room) const {
     return room == 0 ? 0 : ((room + margin_ - 1) & -margin_) + margin_;  // a power of two
   }
-  /// Cells of one path: of the longest slice, and of all slices of the fullest row or column.
+  /// Cells that one path needs for the longest slice, and for the fullest row or column.
   std::size_t longest() const { return static_cast<std::size_t>(longest_); }
   std::size_t fullest_line(bool row) const { return row ? fullest_row_ : fullest_column_; }
 
@@ -56,28 +56,28 @@ class PathLayout {
   std::size_t fullest_row_ = 0, fullest_column_ = 0;
 };
 
-/// Which lines of a pass are kept, and how much of each.
+/// How many lines of path costs a pass keeps, and how much of each.
 struct LinesKept {
-  int bands = 0;       ///< lines come in bands...
-  int band_lines = 0;  ///< of so many...
-  int last_lines = 0;  ///< of which the last ones are kept whole, for the next band,
-  int pixels = 0;      ///< and only so many pixels of the others
+  int bands = 0;       ///< bands in the ring
+  int band_lines = 0;  ///< lines of each band
+  int last_lines = 0;  ///< last lines of a band, kept whole because the next band reads them
+  int pixels = 0;      ///< pixels kept of each other line
 };
 
-/// The pixels of a line, an array for everything that is known of them. One that was never opened
-/// stands for what does not exist; there are kBeside of these beyond both ends.
+/// What is known of the pixels of a line, an array per property. A pixel that was never opened
+/// stands for one that does not exist; kBeside such pixels follow both ends of the line.
 template <class Cell>
 struct LinePixels {
-  /// Disparities from..to have path costs in memory, those without a match infinite ones; that of
-  /// disparity d is cell zero + d of a line of costs.
+  /// Disparities from..to have path costs in memory, infinite ones where there is no match. The
+  /// path cost of disparity d is cell zero + d of the line.
   int *from, *to, *zero;
   Repeated*
-      minimum;  ///< min_i L(p, i) of each path, one path's after the other's; infinite if lost
-  int paths;    ///< how many these are
-  std::uint8_t* lost;  ///< 1 if there is no match at all, else 0; known if paths have two terms
-  std::atomic<bool>* any_lost;  ///< whether the line has such a pixel among those that have cells
+      minimum;  ///< min_i L(p, i) of each path, `paths` per pixel; infinite if the pixel is lost
+  int paths;    ///< number of paths
+  std::uint8_t* lost;  ///< 1 if no disparity can be matched, else 0; set if paths have two terms
+  std::atomic<bool>* any_lost;  ///< whether a pixel of the line that has cells is lost
 
-  /// Seen from pixel u.
+  /// The same arrays with pixel u as element 0.
   LinePixels at(std::ptrdiff_t u) const {
     return {from + u, to + u, zero + u, minimum + u * paths, paths, lost + u, any_lost};
   }
@@ -87,8 +87,8 @@ struct LinePixels {
   }
 };
 
-/// A ring of lines. Pixels take as many cells as they need, so that ragged volumes need no more
-/// room than their fullest line.
+/// A ring of lines. Each pixel takes as many cells as it needs, so that a line of a ragged volume
+/// needs no more memory than the fullest line has cells.
 template <class Cell>
 class PathLines {
  public:
@@ -116,20 +116,20 @@ class PathLines {
   int slots() const { return static_cast<int>(lines_.size()); }
   int slot(int v) const { return v % slots(); }
 
-  /// The pixels of line v, from pixel 0 on. It forgets line v - slots(). None before the first line
-  /// exists.
+  /// The pixels of line v, pixel 0 first. Line v takes the slot of line v - slots(). Lines before
+  /// the first one have no pixels.
   Pixels pixels(int v) { return (v < 0 ? nothing_ : line_of(v)).pixels(); }
-  /// L(., .) of a path in line v. kBehind cells behind a slice may be read; they may be written
-  /// until the next pixel's are.
+  /// Path costs of a path in line v; null before the first line. Up to kBehind cells behind a slice
+  /// may be read, and written until the slice of the next pixel is written.
   Cell* costs(int v, int path) {
     if (v < 0) return nullptr;
     Line& line = line_of(v);
     return static_cast<Cell*>(line.memory.get()) + line.stride * static_cast<std::size_t>(path);
   }
 
-  /// Makes room for pixels of line v: elements from..to - 1 of the layout, whose slices are known.
-  /// They are opened one after the other, from pixel 0 on. Where only a part of the line is kept,
-  /// those opened first are forgotten.
+  /// Makes room for elements from..to - 1 of the layout, whose slices are known, in line v. Pixels
+  /// are opened in order, from pixel 0 on. If only a part of the line is kept, the room of the
+  /// pixels opened first is used again.
   void open(int v, LineLayout& layout, int from, int to) {
     Line& line = line_of(v);
     if (layout.first + from == 0) line.begin(layout_.margin());
@@ -155,11 +155,11 @@ class PathLines {
   }
 
  private:
-  static constexpr int kNone = 1 << 30;  // far beyond any disparity, but may be calculated with
+  static constexpr int kNone = 1 << 30;  // far beyond any disparity; arithmetic cannot overflow
   static constexpr int kBeside = kFarthest + LineLayout::kPixels;
   static constexpr std::size_t kBehind = 64;  // the widest vector
 
-  /// A pixel of no cells.
+  /// Marks a pixel that has no cells.
   static void skip(const Pixels& pixels, int k) {
     pixels.from[k] = kNone;
     pixels.to[k] = -kNone;
@@ -170,9 +170,9 @@ class PathLines {
 
   struct Line {
     AlignedBuffer memory;
-    std::size_t cells = 0, stride = 0;  // of each path, without and with those behind
+    std::size_t cells = 0, stride = 0;  // of each path, without and with kBehind
     int paths = 0;
-    int next = 0;  // cell behind the margin of the pixel that will be opened
+    int next = 0;  // first cell of the pixel that is opened next
     std::vector<int> from, to, zero;
     std::vector<Repeated> minimum;
     std::vector<std::uint8_t> lost;

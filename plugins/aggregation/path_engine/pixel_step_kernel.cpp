@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "plugins/aggregation/path_engine/advance.hpp"
+#include "xgm/base/simd_dispatch.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "plugins/aggregation/path_engine/pixel_step_kernel.cpp"
@@ -361,11 +362,11 @@ HWY_EXPORT(choose_16);
 
 template <>
 Advance<std::uint8_t> choose_advance(const PassStep& pass) {
-  return HWY_DYNAMIC_DISPATCH(choose_8)(pass);
+  return XGM_SIMD_DISPATCH(choose_8)(pass);
 }
 template <>
 Advance<std::uint16_t> choose_advance(const PassStep& pass) {
-  return HWY_DYNAMIC_DISPATCH(choose_16)(pass);
+  return XGM_SIMD_DISPATCH(choose_16)(pass);
 }
 
 }  // namespace xgm::aggregation

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The inner step, cell by cell.
+// The inner step in scalar code, cell by cell: the reference for the vector kernels.
 #include <algorithm>
 
 #include "plugins/aggregation/path_engine/advance.hpp"
@@ -7,12 +7,12 @@
 namespace xgm::aggregation {
 namespace {
 
-/// What is the same for all disparities of a pixel.
+/// What is fixed for all disparities of a pixel.
 template <class Cell>
 struct Pixel {
   const PassStep& pass;
   const Term<Cell>* terms;
-  const std::uint8_t* classes;  ///< match classes
+  const std::uint8_t* classes;  ///< match classes of the disparities
 
   int match_class(int step, int i) const {
     if (pass.match_classes == 1) return 0;

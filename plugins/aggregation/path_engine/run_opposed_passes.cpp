@@ -17,8 +17,8 @@ void run_opposed_passes(PassWalk<Cell>& forward, PassWalk<Cell>& backward, bool 
   ExceptionKeeper keeper;
   forward.load_penalties();
   backward.load_penalties();
-  // The last line of a band comes so much later to its end: for the wavefront, a band is a line
-  // that is longer.
+  // The last line of a band reaches its end (kBand - 1) * lag pixels after the first. The wavefront
+  // treats a band as one line that is longer by that much.
   const int lag = forward.lag(), length = forward.frame().length() + (kBand - 1) * lag;
   opposed_wavefronts(bands_of(forward.frame().lines()), length, kBand * lag,
                      [&](const Stretch& at) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// SGM's paths in a pass over the rows, and its opposite.
+// The paths of SGM in a pass down the rows; the opposite pass has the rest.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace xgm::sgm {
 
-/// The directions whose p - r comes before p in row-major order: axes, then diagonals, then
+/// The directions r for which p - r precedes p in row-major order: axes, then diagonals, then
 /// knight's moves. The other half are their negatives.
 inline constexpr std::array<Direction, 8> kForward{
     {{1, 0}, {0, 1}, {1, 1}, {-1, 1}, {1, 2}, {2, 1}, {-1, 2}, {-2, 1}}};

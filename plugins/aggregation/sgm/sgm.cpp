@@ -10,7 +10,7 @@ namespace {
 
 /// L_r(p, d) = C(p, d) + min(L_r(p-r, d), L_r(p-r, d+-1) + P1, min_i L_r(p-r, i) + P2), less
 /// min_i L_r(p-r, i); S is the sum over the directions r. Exact.
-class Sgm final : public xgm::Aggregation {
+class Sgm final : public xgm::Aggregation, public xgm::StatesNeeds {
  public:
   using Parameters = xgm::aggregation::PathParameters;
 

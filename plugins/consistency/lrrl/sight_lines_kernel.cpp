@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "plugins/consistency/lrrl/sight_lines.hpp"
+#include "xgm/base/simd_dispatch.hpp"
 #include "xgm/data/disparity_map.hpp"
 
 #undef HWY_TARGET_INCLUDE
@@ -67,7 +68,7 @@ void SightLines::load(const float* disparities, double step) {
   const int count = width();
   std::copy_n(disparities, count, disparities_.data() + 1);
   int* const targets = targets_.data();
-  HWY_DYNAMIC_DISPATCH(find_targets)(disparities, count, targets);
+  XGM_SIMD_DISPATCH(find_targets)(disparities, count, targets);
 
   std::uint8_t* const met = met_.data() + 1;
   std::fill(met_.begin(), met_.end(), std::uint8_t{0});
@@ -83,7 +84,7 @@ void SightLines::load(const float* disparities, double step) {
 
 void check(const SightLines& row, const SightLines& other, double threshold,
            const std::uint8_t* states, float* disparities, std::uint8_t* reasons) {
-  HWY_DYNAMIC_DISPATCH(check_row)(row, other, threshold, states, disparities, reasons);
+  XGM_SIMD_DISPATCH(check_row)(row, other, threshold, states, disparities, reasons);
 }
 
 }  // namespace xgm::lrrl

@@ -3,6 +3,7 @@
 
 #include "plugins/cost/absolute_difference/difference.hpp"
 #include "plugins/cost/candidate_costs/truncated_mean.hpp"
+#include "xgm/base/simd_dispatch.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "plugins/cost/absolute_difference/difference_kernel.cpp"
@@ -53,7 +54,7 @@ namespace xgm::absolute_difference {
 HWY_EXPORT(compare_row);
 
 void compare(const cost::RowPair<float>& rows, int y, float truncation, CostVolume& costs) {
-  HWY_DYNAMIC_DISPATCH(compare_row)(rows, y, truncation, costs);
+  XGM_SIMD_DISPATCH(compare_row)(rows, y, truncation, costs);
 }
 
 }  // namespace xgm::absolute_difference

@@ -5,6 +5,7 @@
 #include "plugins/cost/birchfield_tomasi/dissimilarity.hpp"
 #include "plugins/cost/birchfield_tomasi/intensity_range.hpp"
 #include "plugins/cost/candidate_costs/truncated_mean.hpp"
+#include "xgm/base/simd_dispatch.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "plugins/cost/birchfield_tomasi/dissimilarity_kernel.cpp"
@@ -75,7 +76,7 @@ namespace xgm::birchfield_tomasi {
 HWY_EXPORT(compare_row);
 
 void compare(const cost::RowPair<float>& rows, int y, float truncation, CostVolume& costs) {
-  HWY_DYNAMIC_DISPATCH(compare_row)(rows, y, truncation, costs);
+  XGM_SIMD_DISPATCH(compare_row)(rows, y, truncation, costs);
 }
 
 }  // namespace xgm::birchfield_tomasi

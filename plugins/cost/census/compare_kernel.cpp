@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Comparisons of pixels with neighbours, a vector of pixels at a time.
 #include "plugins/cost/census/compare.hpp"
+#include "xgm/base/simd_dispatch.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "plugins/cost/census/compare_kernel.cpp"
@@ -56,7 +57,7 @@ HWY_EXPORT(compare_row);
 
 void compare(const Neighbours& neighbours, const float* centres, int count, bool mirrored,
              std::uint8_t* bytes) {
-  HWY_DYNAMIC_DISPATCH(compare_row)(neighbours, centres, count, mirrored, bytes);
+  XGM_SIMD_DISPATCH(compare_row)(neighbours, centres, count, mirrored, bytes);
 }
 
 void compare_plain(const Neighbours& neighbours, const float* centres, int first, int count,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Hamming distances, as many cells at a time as a vector has bytes.
 #include "plugins/cost/census/hamming.hpp"
+#include "xgm/base/simd_dispatch.hpp"
 
 #include <algorithm>
 
@@ -125,7 +126,7 @@ namespace xgm::census {
 HWY_EXPORT(hamming_row);
 
 void hamming(const RowPair& rows, int y, CostVolume& costs) {
-  HWY_DYNAMIC_DISPATCH(hamming_row)(rows, y, costs);
+  XGM_SIMD_DISPATCH(hamming_row)(rows, y, costs);
 }
 
 }  // namespace xgm::census

@@ -54,15 +54,6 @@ class WeightedSum final : public xgm::Cost {
     return std::move(terms[0]);
   }
 
-  /// The volumes of all terms; the first one becomes the sum.
-  xgm::Needs needs(const xgm::Workload& load) const override {
-    const auto terms = static_cast<double>(costs_.size());
-    return {.volumes = load.cells(),
-            .working = (terms - 1) * load.cells(),
-            .updates = terms * load.cells(),
-            .moved = (2 * terms + 1) * load.cells()};
-  }
-
  private:
   std::uint8_t sum(const std::vector<xgm::CostVolume>& terms, std::int64_t i) const {
     double result = 0;

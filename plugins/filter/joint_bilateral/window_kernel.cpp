@@ -7,6 +7,7 @@
 
 #include "plugins/filter/joint_bilateral/votes.hpp"
 #include "plugins/filter/joint_bilateral/window.hpp"
+#include "xgm/base/simd_dispatch.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "plugins/filter/joint_bilateral/window_kernel.cpp"
@@ -206,7 +207,7 @@ namespace xgm::joint_bilateral {
 HWY_EXPORT(FilterRow);
 
 void filter_row(const Scene& scene, Mode mode, int y, float* filtered) {
-  HWY_DYNAMIC_DISPATCH(FilterRow)(scene, mode, y, filtered);
+  XGM_SIMD_DISPATCH(FilterRow)(scene, mode, y, filtered);
 }
 
 }  // namespace xgm::joint_bilateral

@@ -4,6 +4,7 @@
 // nine is the middle one of those that are there, or the lower of two. The loop is compiled for
 // each SIMD target; what it says does not depend on that.
 #include "plugins/filter/median/three_by_three.hpp"
+#include "xgm/base/simd_dispatch.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -83,7 +84,7 @@ namespace xgm::median {
 HWY_EXPORT(filter_row);
 
 void three_by_three(const cv::Mat1f& disparity, int y, float* result) {
-  HWY_DYNAMIC_DISPATCH(filter_row)(disparity, y, result);
+  XGM_SIMD_DISPATCH(filter_row)(disparity, y, result);
 }
 
 }  // namespace xgm::median

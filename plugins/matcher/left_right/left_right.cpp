@@ -40,12 +40,6 @@ class LeftRight final : public xgm::Matcher {
     return stages_.consistency(context.part(0.98, 1), both);
   }
 
-  xgm::Planner::Hold plan(const xgm::Workload& load, const xgm::Planner& planner) const override {
-    const auto forward = stages_.matcher.plan(planner.scope("forward"), load);
-    const auto reverse = stages_.matcher.plan(planner.scope("reverse"), load);
-    return stages_.consistency.plan(planner, load);
-  }
-
  private:
   Parameters stages_;
 };

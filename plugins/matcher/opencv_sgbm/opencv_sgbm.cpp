@@ -14,7 +14,7 @@ using Mode = int;  // as cv::StereoSGBM has it
 /// Calls cv::StereoSGBM. It needs one interval for the whole image; its number of disparities is
 /// rounded up to a multiple of 16. OpenCV does not say why it rejects a pixel: most of them fail
 /// its left-right check, which cannot be switched off, so they are reported as mismatched.
-class OpenCvSgbm final : public xgm::Matcher {
+class OpenCvSgbm final : public xgm::Matcher, public xgm::StatesNeeds {
  public:
   struct Parameters {
     Mode mode = cv::StereoSGBM::MODE_SGBM;
@@ -53,8 +53,7 @@ class OpenCvSgbm final : public xgm::Matcher {
     const bool full =
         parameters_.mode == cv::StereoSGBM::MODE_HH || parameters_.mode == cv::StereoSGBM::MODE_HH4;
     constexpr double kBytesPerPixel = 16;  // images of 8 bit, sixteenths of disparities
-    return {.others = load.map_bytes(),
-            .working = kBytesPerPixel * load.pixels() + (full ? 4 * load.cells() : 0),
+    return {.working = kBytesPerPixel * load.pixels() + (full ? 4 * load.cells() : 0),
             .updates = load.cells(),
             .moved = full ? 12 * load.cells() : 0};
   }

@@ -91,17 +91,6 @@ DisparityRange halve(const DisparityRange& fine) {
   });
 }
 
-Workload halve(const Workload& fine) {
-  Workload coarse = fine;
-  coarse.size = half_up(fine.size);
-  coarse.range = halve(fine.range);
-  coarse.cells_per_pixel = Workload::room(coarse.range.size());
-  if (fine.ragged) {
-    coarse.cells_per_pixel *= fine.cells_per_pixel / Workload::room(fine.range.size());
-  }
-  return coarse;
-}
-
 MatchRequest halve(const MatchRequest& fine) {
   MatchRequest coarse{{halve(fine.pair.base), halve(fine.pair.match), fine.pair.is_reverse},
                       halve(fine.range),

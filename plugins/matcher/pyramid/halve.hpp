@@ -4,7 +4,6 @@
 #pragma once
 
 #include "xgm/data/match.hpp"
-#include "xgm/stage/needs.hpp"
 
 namespace xgm::pyramid {
 
@@ -17,9 +16,6 @@ Image halve(const Image& fine);
 /// where all are empty the coarse one is. Repeated, this rounds as the paper's Table 1 does:
 /// floor(d_min / s) to ceil(d_max / s).
 DisparityRange halve(const DisparityRange& fine);
-
-/// The coarser level in numbers.
-Workload halve(const Workload& fine);
 
 /// The whole question at half the resolution.
 MatchRequest halve(const MatchRequest& fine);

@@ -63,53 +63,14 @@ class Pyramid final : public xgm::Matcher {
     return result;
   }
 
-  xgm::Planner::Hold plan(const xgm::Workload& load, const xgm::Planner& planner) const override {
-    std::vector<xgm::Workload> levels{load};  // finest first, as in run()
-    std::vector<xgm::Planner::Hold> images(1);
-    while (levels.size() < static_cast<std::size_t>(std::bit_width(unsigned(parameters_.scale)))) {
-      levels.push_back(xgm::pyramid::halve(levels.back()));
-      images.push_back(planner.hold(2 * levels.back().image_bytes()));
-    }
-    xgm::Planner::Hold maps =
-        parameters_.matcher.plan(level(planner, levels.size()), levels.back());
-    while (levels.size() > 1) {
-      levels.pop_back();
-      images.pop_back();
-      planner.leave_holes();  // a finer level's maps are four times larger
-      const xgm::Planner here = level(planner, levels.size());
-      const xgm::Workload narrow = narrowed(levels.back(), here);
-      xgm::Planner::Hold reverse_range;
-      if (gives_reverse_map()) {
-        reverse_range = parameters_.search_range.plan(here.scope("reverse"), narrow);
-      }
-      const auto range = parameters_.search_range.plan(here, narrow);
-      maps = parameters_.matcher.plan(here, narrow);
-    }
-    return maps;
-  }
-
  private:
-  static xgm::Planner level(const xgm::Planner& planner, std::size_t number) {
-    return planner.scope("s" + std::to_string(1U << (number - 1)));
-  }
-
-  /// What a level will probably search of its limits.
-  xgm::Workload narrowed(xgm::Workload level, const xgm::Planner& planner) const {
-    const xgm::Narrowing narrowing =
-        planner.narrowing().value_or(parameters_.search_range->narrowing());
-    level.cells_per_pixel =
-        std::min(level.cells_per_pixel, narrowing.spread + narrowing.lost * level.range.size());
-    level.ragged = level.estimated = true;
-    return level;
-  }
-
   /// Replaces the ranges of the finer `request`, its limits, by what is left to search.
   void narrow(xgm::MatchRequest& request, const xgm::MatchResult& coarse,
               const xgm::Context& context) const {
     if (coarse.reverse) {
       const xgm::DisparityRange limits =
           request.reverse_range ? *request.reverse_range : request.range.reversed();
-      request.reverse_range = narrowed(limits, *coarse.reverse, context.scope("reverse"));
+      request.reverse_range = narrowed(limits, *coarse.reverse, context.other_view());
     }
     request.range = narrowed(request.range, coarse.forward, context);
   }
@@ -125,7 +86,7 @@ class Pyramid final : public xgm::Matcher {
   xgm::Context level(const xgm::Context& context, int scale) const {
     const double coarser = 1.0 / parameters_.scale;
     const auto done = [&](double s) { return 1 / (s * s) - coarser * coarser / 4; };
-    return context.scope("s" + std::to_string(scale))
+    return context.level("s" + std::to_string(scale), scale)
         .part(done(2.0 * scale) / done(1), done(scale) / done(1));
   }
 

@@ -49,29 +49,7 @@ class SemiGlobal final : public xgm::Matcher {
     return {std::move(map), std::nullopt};
   }
 
-  xgm::Planner::Hold plan(const xgm::Workload& load, const xgm::Planner& planner) const override {
-    xgm::Planner::Hold map = plan_select(load, planner);
-    for (const auto& filter : stages_.filters) map = filter.plan(planner, load);
-    return map;
-  }
-
  private:
-  xgm::Planner::Hold plan_select(const xgm::Workload& load, const xgm::Planner& planner) const {
-    auto matchable = planner.hold(load.range_bytes());
-    const auto shape = planner.hold(load.shape_bytes());
-    matchable.release();
-    const auto sums = plan_aggregate(load, planner);
-    auto map = stages_.selection.plan(planner, load);
-    if (stages_.refinement) map = stages_.refinement.plan(planner, load);
-    return map;
-  }
-
-  xgm::Planner::Hold plan_aggregate(const xgm::Workload& load, const xgm::Planner& planner) const {
-    const auto penalties = stages_.penalty.plan(planner, load);
-    const auto costs = stages_.cost.plan(planner, load);
-    return stages_.aggregation.plan(planner, load);
-  }
-
   xgm::DisparityMap select(const xgm::MatchRequest& request, const xgm::Context& context) const {
     const xgm::AggregatedVolume sums = aggregate(request, context.part(0, 0.95));
     xgm::DisparityMap map = stages_.selection(context.part(0.95, 0.98), sums);

@@ -45,7 +45,7 @@ std::string pixels(double value) {
   return text;
 }
 
-class RansacDeskew final : public xgm::Preprocess {
+class RansacDeskew final : public xgm::Preprocess, public xgm::StatesNeeds {
  public:
   struct Parameters {
     int key_points = 4000;
@@ -87,13 +87,13 @@ class RansacDeskew final : public xgm::Preprocess {
 
   xgm::ImagePair run(const xgm::ImagePair& pair, const xgm::Context& context) const override {
     const auto matches = match_key_points(pair, {p_.key_points, p_.ratio, p_.max_dy});
-    context.report("matches", static_cast<double>(matches.size()));
+    context.figure("matches", static_cast<double>(matches.size()));
     if (matches.size() < enough()) return leave_unmatched(pair, matches.size(), context);
 
     auto agreeing =
         consensus(matches, {p_.iterations, p_.threshold, static_cast<std::uint64_t>(p_.seed)});
     agreeing = inliers(matches, fit(agreeing), p_.threshold);
-    context.report("inliers", static_cast<double>(agreeing.size()));
+    context.figure("inliers", static_cast<double>(agreeing.size()));
     if (agreeing.size() < enough()) return leave_unmatched(pair, agreeing.size(), context);
 
     const RowModel model = fit(agreeing);
@@ -116,8 +116,7 @@ class RansacDeskew final : public xgm::Preprocess {
   xgm::Needs needs(const xgm::Workload& load) const override {
     const double warped = load.image_bytes() + (load.masked ? 0 : load.pixels());
     const double key_points = xgm::ransac_deskew::key_point_bytes(load.size, load.threads);
-    return {
-        .others = warped, .working = std::max(0.0, key_points - warped), .updates = load.pixels()};
+    return {.working = std::max(0.0, key_points - warped), .updates = load.pixels()};
   }
 
  private:
@@ -133,15 +132,15 @@ class RansacDeskew final : public xgm::Preprocess {
   /// dy = a * x + b * y + c, and |dy| of the matches that agree with it.
   void report(const RowModel& model, const std::vector<Correspondence>& agreeing, bool correct,
               const xgm::Context& context) const {
-    context.report("a", model.a);
-    context.report("b", model.b);
-    context.report("c", model.c);
+    context.figure("a", model.a);
+    context.figure("b", model.b);
+    context.figure("c", model.c);
     const auto before = residuals(agreeing, {});
     const auto after = residuals(agreeing, correct ? model : RowModel{});
-    context.report("dy_median_before", quantile(before, 0.5));
-    context.report("dy_p90_before", quantile(before, 0.9));
-    context.report("dy_median_after", quantile(after, 0.5));
-    context.report("dy_p90_after", quantile(after, 0.9));
+    context.figure("dy_median_before", quantile(before, 0.5));
+    context.figure("dy_p90_before", quantile(before, 0.9));
+    context.figure("dy_median_after", quantile(after, 0.5));
+    context.figure("dy_p90_after", quantile(after, 0.9));
   }
 
   Parameters p_;

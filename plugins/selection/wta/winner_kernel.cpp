@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Winners, a vector of cells at a time.
 #include "plugins/selection/wta/winner.hpp"
+#include "xgm/base/simd_dispatch.hpp"
 
 #include <hwy/cache_control.h>
 
@@ -142,7 +143,7 @@ namespace xgm::wta {
 HWY_EXPORT(select_row);
 
 void select(const AggregatedVolume& sums, int uniqueness, int y, DisparityMap& map) {
-  HWY_DYNAMIC_DISPATCH(select_row)(sums, uniqueness, y, map);
+  XGM_SIMD_DISPATCH(select_row)(sums, uniqueness, y, map);
 }
 
 }  // namespace xgm::wta

@@ -11,12 +11,10 @@ namespace xgm::bench {
 /// Calls body() with every SIMD target of this processor, best first.
 template <class Body>
 void for_each_target(Body body) {
-  const std::string before = simd_target();
   for (const std::string& target : simd_targets()) {
-    use_simd(target);
+    const SimdChoice choice(target);
     body();
   }
-  use_simd(before);
 }
 
 }  // namespace xgm::bench

@@ -65,12 +65,13 @@ HWY_AFTER_NAMESPACE();
 
 #include "bench/roofline/each_target.hpp"
 #include "xgm/base/random.hpp"
+#include "xgm/base/simd_dispatch.hpp"
 
 namespace xgm::bench {
 
 namespace row_steps {
 HWY_EXPORT(loops);
-RowLoops chosen() { return HWY_DYNAMIC_DISPATCH(loops)(); }
+RowLoops chosen() { return XGM_SIMD_DISPATCH(loops)(); }
 }  // namespace row_steps
 
 namespace {

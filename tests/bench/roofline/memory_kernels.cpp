@@ -9,6 +9,8 @@
 #include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
+#include "xgm/base/simd_dispatch.hpp"
+
 HWY_BEFORE_NAMESPACE();
 namespace xgm::bench::memory_passes::HWY_NAMESPACE {
 
@@ -73,7 +75,7 @@ namespace xgm::bench {
 
 namespace memory_passes {
 HWY_EXPORT(loops);
-MemoryLoops chosen() { return HWY_DYNAMIC_DISPATCH(loops)(); }
+MemoryLoops chosen() { return XGM_SIMD_DISPATCH(loops)(); }
 }  // namespace memory_passes
 
 MemoryLoops memory_loops() { return memory_passes::chosen(); }

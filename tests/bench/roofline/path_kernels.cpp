@@ -183,12 +183,13 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 #include "bench/roofline/each_target.hpp"
 #include "xgm/base/random.hpp"
+#include "xgm/base/simd_dispatch.hpp"
 
 namespace xgm::bench {
 
 namespace path_steps {
 HWY_EXPORT(loops);
-PathLoops chosen() { return HWY_DYNAMIC_DISPATCH(loops)(); }
+PathLoops chosen() { return XGM_SIMD_DISPATCH(loops)(); }
 }  // namespace path_steps
 
 template <class Cell>

@@ -116,7 +116,7 @@ TEST_CASE("the range of each level is what its volume was made for") {
     REQUIRE(pixel.levels.size() == 3);
     int shift = 2;
     for (const LevelExplanation& level : pixel.levels) {
-      REQUIRE(level.scale == 1 << shift);
+      REQUIRE(level.level.scale == 1 << shift);
       const cv::Point at = level.forward.pixel;
       REQUIRE(at == cv::Point(pixel.pixel.x >> shift, pixel.pixel.y >> shift));
       const std::string name = "matcher.s" + std::to_string(1 << shift) + ".matcher";

@@ -23,7 +23,7 @@ const std::string kPlain = left_right("wta", "[]");
 const ExplainedEvent* last_event(const Explanation& explanation) {
   const auto& events = explanation.events;
   const auto found = std::find_if(events.rbegin(), events.rend(), [](const ExplainedEvent& event) {
-    return !event.reverse && event.scale == 1 && event.after;
+    return !event.reverse && event.level.scale == 1 && event.after;
   });
   return found == events.rend() ? nullptr : &*found;
 }
@@ -40,7 +40,7 @@ void check_story(const Explained& explained) {
     REQUIRE(pixel.result == is);
     std::optional<PixelState> state;
     for (const ExplainedEvent& event : pixel.events) {
-      if (event.reverse || event.scale != 1 || !event.after) continue;
+      if (event.reverse || event.level.scale != 1 || !event.after) continue;
       if (event.before && state) REQUIRE(*event.before == *state);
       state = event.after;
     }
@@ -60,7 +60,7 @@ int check_cause(const Explained& explained, Status status, const std::string& st
       if (event.reverse || !event.after || event.effect == Effect::kept) continue;
       if (event.after->status != status) continue;
       ++causes;
-      REQUIRE(event.stage_path == stage);
+      REQUIRE(event.place.path == stage);
       REQUIRE(event.plugin == plugin);
       REQUIRE(event.effect == effect);
       REQUIRE(contains(pixel.verdict, plugin));
@@ -231,7 +231,7 @@ TEST_CASE("what a matcher does between its stages is told as its own deed") {
   for (const Explanation& pixel : explained.pixels) {
     REQUIRE(pixel.levels.size() == 2);
     if (!has_disparity(pixel.result.status)) continue;
-    REQUIRE(pixel.events.back().stage_path == "matcher");
+    REQUIRE(pixel.events.back().place.path == "matcher");
     REQUIRE(pixel.events.back().effect == Effect::changed);
     REQUIRE(contains(pixel.events.back().text, "(+1)"));
   }

@@ -25,11 +25,11 @@ struct Recorder : Observer {
   std::vector<std::string> begun, ended;
   double last = 0;
   bool fell = false;
-  void stage_begin(const std::string& path, const std::string& plugin) override {
-    begun.push_back(path + "=" + plugin);
+  void stage_begin(const StagePlace& place) override {
+    begun.push_back(place.path + "=" + place.plugin);
   }
-  void stage_end(const std::string& path, const StageStatistics&, const Artifact&) override {
-    ended.push_back(path);
+  void stage_end(const StagePlace& place, const StageStatistics&, const Artifact&) override {
+    ended.push_back(place.path);
   }
   void progress(double share) override {
     fell = fell || share < last;

@@ -10,29 +10,54 @@
 
 using namespace xgm;
 
+namespace {
+
+StagePlace at(const std::string& path, const std::string& plugin = {}) {
+  StagePlace place;
+  place.path = path;
+  place.plugin = plugin;
+  return place;
+}
+
+}  // namespace
+
 TEST_CASE("recorder: stages in the order they begin, figures at the call that told them") {
   RunRecorder recorder;
-  recorder.stage_begin("matcher", "pyramid");
-  recorder.stage_begin("matcher.cost", "census");
-  recorder.report("matcher.cost", "ones", 1);
-  recorder.stage_end("matcher.cost", {0.5, 10}, {});
-  recorder.stage_begin("matcher.cost", "census");
-  recorder.report("matcher.cost", "ones", 2);
-  recorder.stage_end("matcher.cost", {0.25, 20}, {});
-  recorder.report("elsewhere", "lost", 3);
-  recorder.log(LogLevel::info, "matcher", "not kept");
-  recorder.log(LogLevel::warning, "matcher", "kept");
+  recorder.stage_begin(at("matcher", "pyramid"));
+  recorder.stage_begin(at("matcher.cost", "census"));
+  recorder.figure(at("matcher.cost"), "ones", 1);
+  recorder.stage_end(at("matcher.cost"), {0.5, 10}, {});
+  recorder.stage_begin(at("matcher.cost", "census"));
+  recorder.figure(at("matcher.cost"), "ones", 2);
+  recorder.stage_end(at("matcher.cost"), {0.25, 20}, {});
+  recorder.figure(at("elsewhere"), "lost", 3);
   const auto& stages = recorder.stages();
   REQUIRE(stages.size() == 4);
-  CHECK(stages[0].path == "matcher");
+  CHECK(stages[0].place.path == "matcher");
   CHECK_FALSE(stages[0].finished);
   CHECK(stages[1].statistics.seconds == 0.5);
   CHECK(stages[1].figures[0].second == 1);
   CHECK(stages[2].statistics.bytes == 20);
   CHECK(stages[2].figures[0].second == 2);
-  CHECK(stages[3].path == "elsewhere");
-  REQUIRE(recorder.warnings().size() == 1);
-  CHECK(recorder.warnings()[0] == "matcher: kept");
+  CHECK(stages[3].place.path == "elsewhere");
+}
+
+TEST_CASE("run.json tells the place of every stage") {
+  RunRecord record;
+  record.resolved_pipeline = "{}";
+  StagePlace place = at("matcher.half.matcher.cost", "census");
+  place.kind = "cost";
+  place.depth = 2;
+  place.view = View::reverse;
+  place.level = {"half", 2, "matcher.half"};
+  record.stages = {{place, {}, true, {}}, {at("matcher", "x"), {}, true, {}}};
+  const auto stages = nlohmann::json::parse(to_json(record))["stages"];
+  CHECK(stages[0]["kind"] == "cost");
+  CHECK(stages[0]["depth"] == 2);
+  CHECK(stages[0]["view"] == "reverse");
+  CHECK(stages[0]["level"]["name"] == "half");
+  CHECK(stages[0]["level"]["scale"] == 2);
+  CHECK_FALSE(stages[1].contains("level"));
 }
 
 TEST_CASE("run.json is valid JSON whatever the names and figures are") {
@@ -42,7 +67,7 @@ TEST_CASE("run.json is valid JSON whatever the names and figures are") {
   record.inputs = {{"left", "a\"b\n.png", {12, "00000000000000ff"}}};
   record.overrides = {{"matcher.scale", "2"}};
   record.disparities = {-3, 5};
-  record.stages = {{"matcher", "x", {1.5, 100}, true, {{"nan", std::nan("")}}}};
+  record.stages = {{at("matcher", "x"), {1.5, 100}, true, {{"nan", std::nan("")}}}};
   Evaluation evaluation;
   evaluation.judged = 4;
   evaluation.invalid = 0.25;

@@ -61,16 +61,22 @@ SpeedResult timed(const SpeedPlan& plan, const MatchRequest& request) {
 
 TEST_CASE("a stage's time does not hold that of the stages inside, and views and levels add up") {
   speed::StageClock clock;
-  clock.stage_begin("matcher", "left_right");
-  for (const std::string view : {"forward", "reverse"}) {
-    clock.stage_begin("matcher." + view + ".filters[1]", "median");
-    clock.stage_end("", {2, 0}, {});
+  StagePlace matcher, filter;
+  matcher.kind = "matcher";
+  matcher.plugin = "left_right";
+  filter.kind = "filter";
+  filter.plugin = "median";
+  clock.stage_begin(matcher);
+  for (const View view : {View::forward, View::reverse}) {
+    filter.view = view;
+    clock.stage_begin(filter);
+    clock.stage_end(filter, {2, 0}, {});
   }
-  clock.stage_end("", {5, 0}, {});
+  clock.stage_end(matcher, {5, 0}, {});
   REQUIRE(clock.totals().size() == 2);
   CHECK(clock.totals()[0].stage == "matcher left_right");
   CHECK(clock.totals()[0].seconds == doctest::Approx(1));
-  CHECK(clock.totals()[1].stage == "filters median");
+  CHECK(clock.totals()[1].stage == "filter median");
   CHECK(clock.totals()[1].seconds == doctest::Approx(4));
 }
 
@@ -122,7 +128,7 @@ TEST_CASE("every target and every mode of OpenCV is timed in every round") {
   const SpeedTimes& first = result.times.front();
   CHECK(first.simd == simd_targets().front());
   REQUIRE(first.stages.size() == 7);
-  CHECK(first.stages[5].stage == "filters median");
+  CHECK(first.stages[5].stage == "filter median");
   double sum = 0;
   for (const StageSeconds& stage : first.stages) sum += stage.seconds[1];
   CHECK(sum == doctest::Approx(first.seconds[1]));

@@ -29,7 +29,7 @@ class TrimBorder final : public xgm::Filter {
         ++lost;
       }
     }
-    context.report("trimmed_pixels", lost);
+    context.figure("trimmed_pixels", lost);
     return trimmed;
   }
 

@@ -57,12 +57,6 @@ class UpsideDown final : public xgm::Matcher {
     return result;
   }
 
-  /// For plans: what run() holds, and the stages that it calls.
-  xgm::Planner::Hold plan(const xgm::Workload& load, const xgm::Planner& planner) const override {
-    const auto turned = planner.hold(2 * load.image_bytes() + load.range_bytes());
-    return matcher_.plan(planner, load);
-  }
-
  private:
   xgm::Slot<xgm::Matcher> matcher_;
 };

@@ -17,12 +17,10 @@ AggregatedVolume aggregate(const std::string& target, const CostVolume& costs,
                            const PenaltyField& penalties,
                            const std::vector<aggregation::Pass>& passes, PathCostWidth width,
                            std::size_t larger_than_caches = std::size_t{1} << 30) {
-  use_simd(target);
-  AggregatedVolume sums = aggregation::aggregate_paths(
-      costs, penalties, passes, {.width = width, .larger_than_caches = larger_than_caches},
-      Context{});
-  use_simd("");
-  return sums;
+  const SimdChoice choice(target);
+  return aggregation::aggregate_paths(costs, penalties, passes,
+                                      {.width = width, .larger_than_caches = larger_than_caches},
+                                      Context{});
 }
 
 void check_targets(const CostVolume& costs, const PenaltyField& penalties) {

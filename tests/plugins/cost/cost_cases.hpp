@@ -178,7 +178,7 @@ inline void check_targets(const std::string& yaml) {
   for (CostCase& c : long_cases()) cases.push_back(std::move(c));
   for (const CostCase& c : cases) {
     const auto shape = std::make_shared<const VolumeShape>(c.range, c.pair.base.valid);
-    use_simd("scalar");
+    const SimdChoice choice("scalar");
     const CostVolume plain = cost->run(c.pair, shape, Context{});
     with_each_simd_target(
         [&] { CHECK_MESSAGE(identical(cost->run(c.pair, shape, Context{}), plain), c.name); });

@@ -204,15 +204,14 @@ TEST_CASE("joint_bilateral gives the same bits with every SIMD target") {
       for (const int planes : {1, 3}) {
         for (const double step : {4.0, 0.001}) {
           const auto [map, pair] = awkward_scene(size, planes, step);
-          xgm::use_simd("scalar");
+          const xgm::SimdChoice scalar("scalar");
           const DisparityMap reference = run(s, map, pair);
           for (const std::string& target : xgm::simd_targets()) {
             CAPTURE(target);
             CAPTURE(size);
-            xgm::use_simd(target);
+            const xgm::SimdChoice choice(target);
             CHECK(identical(run(s, map, pair), reference));
           }
-          xgm::use_simd("");
         }
       }
     }

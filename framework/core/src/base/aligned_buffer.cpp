@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "xgm/base/aligned_buffer.hpp"
 
-#include <cstdint>
-#include <mutex>
 #include <new>
 
-#include "base/block_pool.hpp"
+#include "base/buffer_pool.hpp"
+#include "base/run_state.hpp"
 
 namespace xgm {
 namespace {
@@ -13,47 +12,39 @@ namespace {
 // What the system grants in huge pages; less is not worth a system call.
 constexpr std::size_t kMinOfPool = 4 * kHugePage;
 
-/// Never destroyed: volumes may outlive all static objects.
-struct SharedPool {
-  std::mutex mutex;
-  BlockPool blocks;
-  int users = 0;
-};
-SharedPool& pool() {
-  static SharedPool& shared = *new SharedPool;
-  return shared;
+RunState with_pool(RunState state, std::shared_ptr<BufferPool> pool) {
+  state.pool = std::move(pool);
+  return state;
 }
 
 }  // namespace
 
 void BufferDeleter::operator()(void* cells) const {
-  if (bytes < kMinOfPool) {
+  if (pool != nullptr) {
+    pool->give_back(static_cast<std::byte*>(cells));
+  } else {
     ::operator delete (cells, std::align_val_t{kBufferAlignment});
-    return;
   }
-  SharedPool& shared = pool();
-  const std::scoped_lock lock(shared.mutex);
-  shared.blocks.give_back(static_cast<std::byte*>(cells));
-  if (shared.users == 0) shared.blocks.trim();
 }
 
 AlignedBuffer new_buffer(std::size_t bytes) {
   if (bytes < kMinOfPool) {
-    return AlignedBuffer(::operator new (bytes, std::align_val_t{kBufferAlignment}), {bytes});
+    return AlignedBuffer(::operator new (bytes, std::align_val_t{kBufferAlignment}));
   }
-  SharedPool& shared = pool();
-  const std::scoped_lock lock(shared.mutex);
-  return AlignedBuffer(shared.blocks.take(bytes), {bytes});
+  std::shared_ptr<BufferPool> pool = run_state().pool;
+  if (pool == nullptr) pool = std::make_shared<BufferPool>(BufferPool::Kept::nothing);
+  std::byte* const cells = pool->take(bytes);
+  return {cells, BufferDeleter{std::move(pool)}};
 }
 
 BufferReuse::BufferReuse() {
-  const std::scoped_lock lock(pool().mutex);
-  ++pool().users;
+  if (run_state().pool != nullptr) return;
+  auto pool = std::make_shared<BufferPool>(BufferPool::Kept::for_the_next);
+  change_ = std::make_unique<RunChange>(with_pool(run_state(), std::move(pool)));
 }
 
 BufferReuse::~BufferReuse() {
-  const std::scoped_lock lock(pool().mutex);
-  if (--pool().users == 0) pool().blocks.trim();
+  if (change_ != nullptr) change_->state.pool->close();
 }
 
 }  // namespace xgm

@@ -10,4 +10,7 @@ Error::Error(const std::string& stage_path, const std::string& message)
       stage_path_(stage_path),
       message_(message) {}
 
+UsageError::UsageError(const std::string& message) : Error(message) {}
+Cancelled::Cancelled() : Error("the run was cancelled") {}
+
 }  // namespace xgm

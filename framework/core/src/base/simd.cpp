@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one place that tells Highway which target to choose.
+// Which of the targets that kernels are compiled for is used.
 #include "xgm/base/simd.hpp"
 
 #include <hwy/highway.h>
@@ -7,7 +7,9 @@
 #include <array>
 #include <cstdint>
 
+#include "base/run_state.hpp"
 #include "xgm/base/error.hpp"
+#include "xgm/base/simd_dispatch.hpp"
 
 namespace xgm {
 namespace {
@@ -32,9 +34,21 @@ std::int64_t usable() {
   return supported & HWY_TARGETS;
 }
 
-std::int64_t& chosen() {
-  static std::int64_t targets = usable();
-  return targets;
+/// What the calling thread's run may use.
+std::int64_t chosen() {
+  const std::int64_t simd = run_state().simd;
+  return simd != 0 ? simd : usable();
+}
+
+/// `name` and what is below it: where a kernel has nothing for a target, it takes the next one.
+std::int64_t from_here_down(std::string_view name) {
+  std::string known;
+  for (const Target& target : kTargets) {
+    if ((usable() & target.bit) == 0) continue;
+    if (name == target.name) return usable() & ~(target.bit - 1);
+    known += (known.empty() ? "" : ", ") + std::string(target.name);
+  }
+  throw Error("this processor has no SIMD target '" + std::string(name) + "'; it has " + known);
 }
 
 }  // namespace
@@ -54,21 +68,18 @@ std::string simd_target() {
   return "scalar";
 }
 
-void use_simd(std::string_view name) {
-  std::int64_t wanted = name.empty() ? usable() : 0;
-  std::string known;
-  for (const Target& target : kTargets) {
-    if ((usable() & target.bit) == 0) continue;
-    known += (known.empty() ? "" : ", ") + std::string(target.name);
-    // Where a kernel has nothing for this target, it takes the next one down.
-    if (name == target.name) wanted = usable() & ~(target.bit - 1);
-  }
-  if (wanted == 0) {
-    throw Error("this processor has no SIMD target '" + std::string(name) + "'; it has " + known);
-  }
-  chosen() = wanted;
-  hwy::SetSupportedTargetsForTest(wanted);
-  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+SimdChoice::SimdChoice(std::string_view target) {
+  if (target.empty()) return;
+  RunState state = run_state();
+  state.simd = from_here_down(target);
+  change_ = std::make_unique<RunChange>(std::move(state));
+}
+
+SimdChoice::~SimdChoice() = default;
+
+std::uint64_t simd_dispatch_mask() {
+  return static_cast<std::uint64_t>(HWY_CHOSEN_TARGET_SHIFT(chosen()) |
+                                    HWY_CHOSEN_TARGET_MASK_SCALAR);
 }
 
 }  // namespace xgm

@@ -26,4 +26,8 @@ std::string fixed_number(double value, int decimals) {
   return zero && text.starts_with('-') ? text.substr(1) : text;
 }
 
+std::string bytes_text(double bytes) {
+  return bytes < 1e9 ? fixed_number(bytes / 1e6, 0) + " MB" : fixed_number(bytes / 1e9, 2) + " GB";
+}
+
 }  // namespace xgm

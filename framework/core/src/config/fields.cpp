@@ -41,9 +41,9 @@ std::optional<T> scalar_value(const Node& node) {
   }
 }
 
-class Binder {
+class ValueReader {
  public:
-  Binder(const Field& field, const Node& node, Diagnostics& diagnostics)
+  ValueReader(const Field& field, const Node& node, Diagnostics& diagnostics)
       : field_(field), node_(node), diagnostics_(diagnostics) {}
 
   bool operator()(bool* target) const {
@@ -73,8 +73,8 @@ class Binder {
     if (!node_.is_scalar()) return wrong_type(node_);
     const auto found = std::find(choice.names.begin(), choice.names.end(), node_.scalar);
     if (found == choice.names.end()) {
-      return fault(node_, "'" + field_.name + "' cannot be " + spell(node_),
-                   suggest(node_.scalar, choice.names, "choices"));
+      return diagnose(node_, "'" + field_.name + "' cannot be " + spell(node_),
+                      suggest(node_.scalar, choice.names, "choices"));
     }
     choice.set(static_cast<std::size_t>(found - choice.names.begin()));
     return true;
@@ -88,18 +88,20 @@ class Binder {
     const auto value = scalar_value<Number>(node);
     if (!value) return wrong_type(node);
     if (!in_range(field_, static_cast<double>(*value))) {
-      return fault(node, "'" + field_.name + "' cannot be " + number(static_cast<double>(*value)),
-                   "give " + expected(field_));
+      return diagnose(node,
+                      "'" + field_.name + "' cannot be " + number(static_cast<double>(*value)),
+                      "give " + expected(field_));
     }
     target = *value;
     return true;
   }
   bool wrong_type(const Node& node) const {
-    return fault(node, "'" + field_.name + "' must be " + expected(field_) + ", not " + spell(node),
-                 node.quoted ? "remove the quotes if a number is meant" : "change the value");
+    return diagnose(node,
+                    "'" + field_.name + "' must be " + expected(field_) + ", not " + spell(node),
+                    node.quoted ? "remove the quotes if a number is meant" : "change the value");
   }
-  bool fault(const Node& node, std::string message, std::string remedy) const {
-    report(diagnostics_, node.where, std::move(message), std::move(remedy));
+  bool diagnose(const Node& node, std::string message, std::string remedy) const {
+    add_diagnostic(diagnostics_, node.where, std::move(message), std::move(remedy));
     return false;
   }
 
@@ -144,7 +146,7 @@ std::string_view stage_kind(const Field& field) {
 std::string expected(const Field& field) { return std::visit(Expected{field}, field.target); }
 
 bool bind_value(const Field& field, const Node& node, Diagnostics& diagnostics) {
-  return std::visit(Binder(field, node, diagnostics), field.target);
+  return std::visit(ValueReader(field, node, diagnostics), field.target);
 }
 
 nlohmann::ordered_json value_of(const Field& field) {

@@ -48,7 +48,8 @@ std::string spell(const Node& node) {
   return "nothing";
 }
 
-void report(Diagnostics& diagnostics, Location where, std::string message, std::string remedy) {
+void add_diagnostic(Diagnostics& diagnostics, Location where, std::string message,
+                    std::string remedy) {
   Diagnostic& added = diagnostics.emplace_back();
   added.where = std::move(where);
   added.message = std::move(message);
@@ -62,6 +63,12 @@ std::string to_string(const Diagnostic& diagnostic) {
   text += ": error: " + diagnostic.message;
   if (!diagnostic.remedy.empty()) text += "; " + diagnostic.remedy;
   return without_controls(std::move(text));
+}
+
+std::string to_string(const Diagnostics& diagnostics) {
+  std::string text;
+  for (const Diagnostic& d : diagnostics) text += (text.empty() ? "" : "\n") + to_string(d);
+  return text;
 }
 
 }  // namespace xgm

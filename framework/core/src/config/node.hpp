@@ -45,7 +45,8 @@ std::string spell(const Node& node);
 std::string quote(std::string_view text);
 
 /// Adds a diagnostic.
-void report(Diagnostics& diagnostics, Location where, std::string message, std::string remedy);
+void add_diagnostic(Diagnostics& diagnostics, Location where, std::string message,
+                    std::string remedy);
 
 /// Far above any sensible pipeline; stops files that have no end.
 inline constexpr std::size_t kMaxYamlBytes = std::size_t{1} << 24;

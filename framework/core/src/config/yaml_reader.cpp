@@ -158,10 +158,11 @@ std::optional<Node> read_yaml(const std::string& text, const std::string& name,
     return parse(text, name);
   } catch (const Fault& fault) {
     const bool placed = fault.mark.line > 0 || fault.mark.column > 0;
-    report(diagnostics, placed ? locate(fault.mark) : Location{name}, fault.message, fault.remedy);
+    add_diagnostic(diagnostics, placed ? locate(fault.mark) : Location{name}, fault.message,
+                   fault.remedy);
   } catch (const YAML::Exception& error) {
-    report(diagnostics, locate(error.mark), "not valid YAML: " + error.msg,
-           "look at the indentation and at brackets and quotes left open");
+    add_diagnostic(diagnostics, locate(error.mark), "not valid YAML: " + error.msg,
+                   "look at the indentation and at brackets and quotes left open");
   }
   return std::nullopt;
 }

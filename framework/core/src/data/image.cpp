@@ -3,7 +3,26 @@
 
 #include <algorithm>
 
+#include "xgm/base/error.hpp"
+
 namespace xgm {
+namespace {
+
+void require_planes(const Image& image, const std::string& which) {
+  const std::size_t planes = image.planes.size();
+  if (planes != 1 && planes != 3) {
+    throw UsageError("the " + which + " image has " + std::to_string(planes) +
+                     " planes; give one (grey) or three (blue, green, red)");
+  }
+  const bool planes_differ =
+      std::any_of(image.planes.begin(), image.planes.end(),
+                  [&](const cv::Mat1f& plane) { return plane.size() != image.size(); });
+  if (planes_differ || (!image.valid.empty() && image.valid.size() != image.size())) {
+    throw UsageError("planes and mask of the " + which + " image differ in size");
+  }
+}
+
+}  // namespace
 
 cv::Mat1f Image::grey() const {
   if (planes.size() < 3) return planes.empty() ? cv::Mat1f() : planes.front();
@@ -17,6 +36,17 @@ cv::Mat1f Image::grey() const {
                           planes[2].rowRange(rows) * 0.299f;
   }
   return grey;
+}
+
+void require_sound(const ImagePair& pair) {
+  if (pair.size().empty() || pair.match.size().empty()) {
+    throw UsageError("the images are empty; give an image pair with pixels");
+  }
+  if (pair.match.size() != pair.size()) {
+    throw UsageError("the images differ in size; a rectified pair has images of one size");
+  }
+  require_planes(pair.base, "left");
+  require_planes(pair.match, "right");
 }
 
 }  // namespace xgm

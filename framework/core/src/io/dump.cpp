@@ -73,6 +73,11 @@ bool Dumper::wants(const std::string& stage_path) const {
          (pattern_ == stage_path || fnmatch(pattern_.c_str(), stage_path.c_str(), 0) == 0);
 }
 
+void Dumper::stage_end(const std::string& stage_path, const StageStatistics&,
+                       const Artifact& result) {
+  if (wants(stage_path)) write(stage_path, result);
+}
+
 void Dumper::write(const std::string& stage_path, const Artifact& result) {
   if (std::holds_alternative<std::monostate>(result)) return;
   std::error_code failure;

@@ -19,16 +19,14 @@ struct Named {
   std::shared_ptr<const Dataset> dataset;
 };
 
-/// Throws Error with all that is wrong with the text.
+/// Throws UsageError with all that is wrong with the text.
 Named bind_dataset(const std::string& yaml, const std::string& place, const Registry& registry) {
   Diagnostics diagnostics;
   const std::optional<Node> node = read_yaml(yaml, place, diagnostics);
   Binder::BoundStage bound;
   if (node) bound = Binder(registry, diagnostics).stage(*node, Dataset::kKind);
   if (bound.stage) return {bound.plugin, std::dynamic_pointer_cast<const Dataset>(bound.stage)};
-  std::string message;
-  for (const Diagnostic& d : diagnostics) message += (message.empty() ? "" : "\n") + to_string(d);
-  throw Error(message);
+  throw UsageError(to_string(diagnostics));
 }
 
 Named bind_file(const std::string& file, const Registry& registry) {
@@ -111,10 +109,8 @@ void require_folder(const std::string& folder) {
   }
 }
 
-}  // namespace
-
-std::vector<SceneFiles> find_scenes(const std::string& folder, const Registry& registry,
-                                    const std::string& dataset) {
+std::vector<SceneFiles> find(const std::string& folder, const Registry& registry,
+                             const std::string& dataset) {
   require_folder(folder);
   std::error_code unusable;
   if (fs::is_regular_file(dataset, unusable)) {
@@ -133,6 +129,17 @@ std::vector<SceneFiles> find_scenes(const std::string& folder, const Registry& r
   return recognised(folder, registry);
 }
 
+}  // namespace
+
+std::vector<SceneFiles> find_scenes(const std::string& folder, const Registry& registry,
+                                    const std::string& dataset) {
+  try {
+    return find(folder, registry, dataset);
+  } catch (const Error& error) {
+    throw UsageError(error.message());  // whatever stands in the way, no image has been opened
+  }
+}
+
 SceneFiles find_scene(const std::string& folder, const Registry& registry, const std::string& name,
                       const std::string& dataset) {
   const std::vector<SceneFiles> scenes = find_scenes(folder, registry, dataset);
@@ -145,10 +152,10 @@ SceneFiles find_scene(const std::string& folder, const Registry& registry, const
     names.push_back(scene.name);
   }
   if (name.empty()) {
-    throw Error(folder + ": holds " + std::to_string(names.size()) +
-                " scenes; choose one with --scene NAME: " + join(names));
+    throw UsageError(folder + ": holds " + std::to_string(names.size()) +
+                     " scenes; choose one with --scene NAME: " + join(names));
   }
-  throw Error(folder + ": has no scene '" + name + "'; " + suggest(name, names, "scenes"));
+  throw UsageError(folder + ": has no scene '" + name + "'; " + suggest(name, names, "scenes"));
 }
 
 }  // namespace xgm

@@ -21,6 +21,7 @@ Scene load_scene(const SceneFiles& files) {
   Scene scene;
   scene.name = files.name;
   scene.disparities = files.disparities;
+  scene.calibration = files.calibration;
   ReadPair read = read_pair(files.images);
   scene.pair = std::move(read.pair);
   scene.notes = std::move(read.notes);

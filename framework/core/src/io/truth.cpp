@@ -66,6 +66,15 @@ cv::Mat1b cross_check(const cv::Mat1f& disparity, const cv::Mat1f& reverse) {
   return mask;
 }
 
+void require_judgeable(const GroundTruth& truth) {
+  for (int y = 0; y < truth.disparity.rows; ++y) {
+    for (int x = 0; x < truth.disparity.cols; ++x) {
+      if (is_judged(truth.disparity, truth.non_occluded, y, x)) return;
+    }
+  }
+  throw Error("the truth has no pixel to judge by; check file and mask");
+}
+
 GroundTruth load_truth(const TruthFiles& files, cv::Size size) {
   GroundTruth truth;
   truth.disparity = read_truth(files.disparity, size);

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "config/fields.hpp"
-#include "xgm/pipeline/pipeline.hpp"
+#include "xgm/pipeline/describe.hpp"
 
 namespace xgm {
 namespace {

@@ -2,27 +2,51 @@
 // The books of a plan: what is held now, and the most that was held while each stage ran.
 #pragma once
 
-#include <optional>
+#include <algorithm>
 #include <vector>
 
 #include "xgm/pipeline/plan.hpp"
 
 namespace xgm {
 
-struct PlanLedger {
-  std::optional<Narrowing> narrowing{};
+/// Memory that is freed waits to be used again, in the heap or as BufferReuse says, until it is
+/// given back to the system: the highest sums since then are what the process holds.
+class PlanLedger {
+ public:
+  explicit PlanLedger(double program) : heap_(program), max_heap_(program) {}
 
-  double others = 0, volumes = 0;  ///< held now
-  /// The most since free memory went back to the system. What is freed waits to be used again, in
-  /// the heap or as BufferReuse says: it counts as long.
-  double max_others = 0, max_volumes = 0;
-  double holes = 0;  ///< of the heap: free, but no longer used again
+  void begin(std::size_t stage) {
+    open_.push_back(stage);
+    add(0, 0);
+  }
+  void end() { open_.pop_back(); }
+
+  void add(double heap, double volumes) {
+    heap_ += heap;
+    volumes_ += volumes;
+    max_heap_ = std::max(max_heap_, heap_);
+    max_volumes_ = std::max(max_volumes_, volumes_);
+    const double memory = max_heap_ + max_volumes_;
+    for (const std::size_t stage : open_) {
+      stages[stage].memory = std::max(stages[stage].memory, memory);
+    }
+    if (memory > peak_bytes && !open_.empty()) {
+      peak_bytes = memory;
+      peak_stage = open_.back();
+    }
+  }
+
+  void give_back_heap() { max_heap_ = heap_; }
+  void give_back_volumes() { max_volumes_ = volumes_; }
+
+  std::vector<PlannedStage> stages;
   double peak_bytes = 0;
-  std::size_t peak_row = 0;            ///< in which stage that was reached
-  std::vector<PlannedStage> stages{};  ///< in the order in which they begin
-  std::vector<std::size_t> open{};     ///< rows of the stages that run now, outermost first
+  std::size_t peak_stage = 0;
 
-  void add(double more_others, double more_volumes);
+ private:
+  double heap_, max_heap_;
+  double volumes_ = 0, max_volumes_ = 0;
+  std::vector<std::size_t> open_;  ///< stages that run now, outermost first
 };
 
 }  // namespace xgm

@@ -30,9 +30,9 @@ std::vector<std::string> shipped_pipelines(const std::string& folder) {
 std::string find_pipeline(const std::string& name, const std::string& folder) {
   std::error_code unusable;  // a name too long or a link to itself is no file, and no exception
   if (fs::is_directory(name, unusable)) {
-    throw Error(name +
-                ": is a folder, not a pipeline file; the pipeline comes first, the scene "
-                "second");
+    throw UsageError(name +
+                     ": is a folder, not a pipeline file; the pipeline comes first, the scene "
+                     "second");
   }
   if (fs::exists(name, unusable)) return name;
   if (!is_path(name) && !name.empty()) {
@@ -44,9 +44,18 @@ std::string find_pipeline(const std::string& name, const std::string& folder) {
   const std::vector<std::string> names = shipped_pipelines(folder);
   const std::string bare = fs::path(name).filename().string();
   const std::string guess = suggest(bare.ends_with(kEnding) ? bare : bare + kEnding, names, "");
-  throw Error("'" + name + "' is neither a file nor a shipped pipeline; " +
-              (guess.starts_with("did you mean") ? guess + " " : "") +
-              (names.empty() ? "none are shipped in " + folder : "shipped are: " + join(names)));
+  throw UsageError("'" + name + "' is neither a file nor a shipped pipeline; " +
+                   (guess.starts_with("did you mean") ? guess + " " : "") +
+                   (!names.empty()   ? "shipped are: " + join(names)
+                    : folder.empty() ? "none are shipped beside " + library_file()
+                                     : "none are shipped in " + folder));
+}
+
+Pipeline require_pipeline(const std::string& name, const Registry& registry,
+                          const std::vector<Override>& overrides) {
+  const LoadedPipeline loaded = load_pipeline(find_pipeline(name), registry, overrides);
+  if (!loaded.pipeline) throw UsageError(to_string(loaded.diagnostics));
+  return *loaded.pipeline;
 }
 
 std::vector<const PluginInfo*> find_plugins(const std::string& name, const Registry& registry) {
@@ -55,33 +64,33 @@ std::vector<const PluginInfo*> find_plugins(const std::string& name, const Regis
   if (slash == std::string::npos) {
     found = registry.named(name);
   } else {
-    require_kind(name.substr(0, slash));
+    require_kind(name.substr(0, slash), registry);
     const PluginInfo* plugin = registry.find(name.substr(0, slash), name.substr(slash + 1));
     if (plugin != nullptr) found.push_back(plugin);
   }
   if (!found.empty()) return found;
   for (const LoadFailure& failure : registry.failures()) {
     if (failure.name == name) {
-      throw Error("plugin '" + name + "' could not be loaded from " + failure.file + ": " +
-                  failure.reason);
+      throw UsageError("plugin '" + name + "' could not be loaded from " + failure.file + ": " +
+                       failure.reason);
     }
   }
   std::vector<std::string> names;
   for (const PluginInfo* plugin : registry.plugins()) {
     names.push_back(slash == std::string::npos ? plugin->name : plugin->kind + "/" + plugin->name);
   }
-  throw Error("there is no plugin '" + name + "'; " + suggest(name, names, "plugins"));
+  throw UsageError("there is no plugin '" + name + "'; " + suggest(name, names, "plugins"));
 }
 
 void require_name(const std::string& what, const std::string& name,
                   const std::vector<std::string>& names) {
   if (std::find(names.begin(), names.end(), name) != names.end()) return;
-  throw Error("there is no " + what + " '" + name + "'; " + suggest(name, names, what + "s"));
+  throw UsageError("there is no " + what + " '" + name + "'; " + suggest(name, names, what + "s"));
 }
 
-void require_kind(const std::string& kind) {
+void require_kind(const std::string& kind, const Registry& registry) {
   std::vector<std::string> names;
-  for (const auto& [name, text] : Registry::kinds()) names.push_back(name);
+  for (const KindInfo& known : registry.kinds()) names.push_back(known.name);
   require_name("kind", kind, names);
 }
 

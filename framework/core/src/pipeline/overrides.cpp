@@ -91,7 +91,7 @@ void apply_override(Node& root, const Override& change, Diagnostics& diagnostics
   const Location where{"--set " + change.path + "=" + change.value};
   const auto steps = split(change.path);
   if (!steps) {
-    report(diagnostics, where, "not a path", "write it like matcher.filters[0].window=5");
+    add_diagnostic(diagnostics, where, "not a path", "write it like matcher.filters[0].window=5");
     return;
   }
   std::optional<Node> value = read_yaml(change.value, where.file, diagnostics);
@@ -102,7 +102,7 @@ void apply_override(Node& root, const Override& change, Diagnostics& diagnostics
   for (const Step& step : *steps) {
     target = child(*target, step, where, reason);
     if (target == nullptr) {
-      report(diagnostics, where, reason, "'pipeline graph' shows what is there");
+      add_diagnostic(diagnostics, where, reason, "'pipeline graph' shows what is there");
       return;
     }
   }

@@ -3,154 +3,80 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <fstream>
-#include <opencv2/core/utility.hpp>
+#include <nlohmann/json.hpp>
 #include <string>
 
+#include "base/run_state.hpp"
 #include "pipeline/graph.hpp"
 #include "pipeline/overrides.hpp"
 #include "plugin/binder.hpp"
-#include "xgm/base/aligned_buffer.hpp"
 #include "xgm/base/error.hpp"
-#include "xgm/base/memory.hpp"
-#include "xgm/plugin.hpp"
+#include "xgm/base/parallel.hpp"
+#include "xgm/base/simd.hpp"
 
 namespace xgm {
-namespace {
-
-// The top of a pipeline file is declared like any stage's parameters.
-struct PipelineParameters {
-  int version = 1;
-  std::vector<double> disparities;
-  SlotList<Preprocess> preprocess;
-  Slot<Matcher> matcher;
-  SlotList<Filter> postprocess;
-};
-
-}  // namespace
-
-// Widest bound of disparities that a file may ask for; keeps sums of bounds within an int.
-static constexpr double kMaxDisparity = 1e6;
-
-static void describe(PipelineParameters& p, ParameterSet& set) {
-  set.add("xgm", p.version, "Version of the file format.").range(1, 1);
-  set.add("disparities", p.disparities,
-          "Search range [first, last], both included, when neither the command line nor the scene "
-          "gives one.")
-      .unit("px")
-      .range(-kMaxDisparity, kMaxDisparity);
-  set.add("preprocess", p.preprocess, "What is done to the images before matching, in order.");
-  set.add("matcher", p.matcher, "Finds the disparity map.");
-  set.add("postprocess", p.postprocess, "What is done to the finished maps, in order.");
-  set.rule({"disparities"}, "must be two whole numbers, the first not above the second", [&p] {
-    const auto& d = p.disparities;
-    const auto whole = [](double v) { return v == std::floor(v); };
-    return d.empty() || (d.size() == 2 && whole(d[0]) && whole(d[1]) && d[0] <= d[1]);
-  });
-}
-
-ParameterSet pipeline_parameters() {
-  static PipelineParameters defaults;
-  ParameterSet set;
-  describe(defaults, set);
-  return set;
-}
 
 struct Pipeline::Impl {
-  PipelineParameters parameters;
+  std::string file;
+  std::shared_ptr<const Stage> family;
   nlohmann::ordered_json resolved;
 };
 
 namespace {
 
-// OpenCV's own number of threads, put back at the end of a run.
-class OpenCvThreads {
- public:
-  explicit OpenCvThreads(int threads) : before_(cv::getNumThreads()) {
-    // OpenCV's scheduler complains of more threads than there are processors.
-    if (threads > 0) cv::setNumThreads(std::min(threads, cv::getNumberOfCPUs()));
-  }
-  ~OpenCvThreads() { cv::setNumThreads(before_); }
-  OpenCvThreads(const OpenCvThreads&) = delete;
-  OpenCvThreads& operator=(const OpenCvThreads&) = delete;
-
- private:
-  int before_;
-};
-
 void check_request(const MatchRequest& request) {
-  const cv::Size size = request.pair.size();
-  if (size.empty()) throw Error("the images are empty; give an image pair with pixels");
-  if (request.pair.match.size() != size) {
-    throw Error("the images differ in size; a rectified pair has images of one size");
-  }
-  if (request.range.size() != size) {
-    throw Error("the search range is not of the images' size; make range maps of that size");
+  require_sound(request.pair);
+  if (request.range.size() != request.pair.size()) {
+    throw UsageError("the search range is not of the images' size; make range maps of that size");
   }
   if (request.range.hull().empty()) {
-    throw Error("the search range is empty; give at least one disparity");
+    throw UsageError("the search range is empty; give at least one disparity");
   }
 }
 
-/// What volumes leave for each other is gone before the maps are worked on.
-MatchResult match(const Context& context, const Slot<Matcher>& matcher,
-                  const MatchRequest& request) {
-  const BufferReuse reuse;
-  return matcher(context, request);
+/// A run that is given no token ends with the run that it is part of, if any.
+RunState with_stop(RunState state, const std::stop_token& stop) {
+  if (stop.stop_possible()) state.stop = stop;
+  return state;
 }
 
 }  // namespace
 
 MatchResult Pipeline::run(const MatchRequest& request, const RunOptions& options) const {
   check_request(request);
-  const PipelineParameters& p = impl_->parameters;
-  if (!request.range.is_uniform() && !accepts_range_maps()) {
-    throw Error("matcher", "needs one range for the whole image; give no range maps");
+  const StereoFamily* const stereo = stereo_family();
+  if (stereo == nullptr) {
+    throw UsageError("this pipeline matches no single image pair; see its 'type'");
+  }
+  if (!request.range.is_uniform() && !stereo->accepts_range_maps()) {
+    throw UsageError("matcher: needs one range for the whole image; give no range maps");
   }
   const ThreadLimit limit(options.threads);
-  const OpenCvThreads opencv_limit(options.threads);
-  const Context context = options.observer != nullptr ? Context(*options.observer) : Context();
-  MatchRequest prepared = request;
-  for (const auto& stage : p.preprocess) {
-    prepared.pair = stage(context.part(0, 0.03), prepared.pair);
-  }
-  if (!p.preprocess.empty()) trim_heap();  // where key points leave hundreds of MB behind
-  MatchResult result = match(context.part(0.03, 0.95), p.matcher, prepared);
-  for (const auto& stage : p.postprocess) {
-    const Context rest = context.part(0.95, 1);
-    result.forward = stage(rest, result.forward, prepared.pair);
-    if (result.reverse) {
-      result.reverse = stage(rest.scope("reverse"), *result.reverse, prepared.pair.swapped());
-    }
-  }
-  return result;
+  const SimdChoice simd(options.simd);
+  const RunChange run(with_stop(run_state(), options.stop));
+  const Context context(options.observer, run.state.stop, request.pair.is_reverse);
+  context.throw_if_cancelled();
+  return stereo->run(request, context);
 }
 
-void Pipeline::plan(const Workload& load, const Planner& planner) const {
-  const PipelineParameters& p = impl_->parameters;
-  Planner::Hold pair;  // run() begins with the caller's, which the caller holds
-  for (const auto& stage : p.preprocess) pair = stage.plan(planner, load);
-  planner.drop_free_heap();
-  Planner::Hold forward = p.matcher.plan(planner, load);
-  planner.drop_free_volumes();
-  for (const auto& stage : p.postprocess) {
-    forward = stage.plan(planner, load);
-    if (p.matcher->gives_reverse_map()) {
-      const Planner::Hold reverse = stage.plan(planner.scope("reverse"), load);
-    }
-  }
+const Stage& Pipeline::family() const { return *impl_->family; }
+
+const StereoFamily* Pipeline::stereo_family() const {
+  return dynamic_cast<const StereoFamily*>(impl_->family.get());
 }
 
 std::optional<Interval> Pipeline::disparities() const {
-  const auto& d = impl_->parameters.disparities;
-  if (d.empty()) return std::nullopt;
-  return Interval{static_cast<int>(d[0]), static_cast<int>(d[1]) + 1};
+  const StereoFamily* const stereo = stereo_family();
+  return stereo != nullptr ? stereo->disparities() : std::nullopt;
 }
 
 bool Pipeline::accepts_range_maps() const {
-  return impl_->parameters.matcher->accepts_range_maps();
+  const StereoFamily* const stereo = stereo_family();
+  return stereo != nullptr && stereo->accepts_range_maps();
 }
+
+const std::string& Pipeline::file() const { return impl_->file; }
 
 std::string Pipeline::resolved_json() const { return impl_->resolved.dump(2); }
 
@@ -162,17 +88,18 @@ struct PipelineLoader {
     LoadedPipeline result;
     for (const Override& change : overrides) apply_override(root, change, diagnostics);
     if (!root.is_map()) {
-      report(diagnostics, {name}, "a pipeline file is a map of stages, this is " + spell(root),
-             "start with 'xgm: 1' and 'matcher: {type: ...}'");
+      add_diagnostic(diagnostics, {name},
+                     "a pipeline file is a map of stages, this is " + spell(root),
+                     "start with 'xgm: 1' and 'matcher: {type: ...}'");
     } else {
-      const auto impl = std::make_shared<Pipeline::Impl>();
-      ParameterSet set;
-      describe(impl->parameters, set);
       root.where = {name};
-      impl->resolved = Binder(registry, diagnostics).fields(root, set, "a pipeline").resolved;
-      Pipeline pipeline;
-      pipeline.impl_ = impl;
-      if (diagnostics.empty()) result.pipeline = std::move(pipeline);
+      auto bound = Binder(registry, diagnostics).pipeline(root);
+      if (diagnostics.empty()) {
+        Pipeline pipeline;
+        pipeline.impl_ = std::make_shared<Pipeline::Impl>(
+            Pipeline::Impl{name, std::move(bound.stage), std::move(bound.resolved)});
+        result.pipeline = std::move(pipeline);
+      }
     }
     std::stable_sort(diagnostics.begin(), diagnostics.end(), [](const auto& a, const auto& b) {
       return std::pair(a.where.line, a.where.column) < std::pair(b.where.line, b.where.column);
@@ -202,7 +129,8 @@ LoadedPipeline load_pipeline(const std::string& file, const Registry& registry,
   }
   if (!stream.is_open() || stream.bad()) {
     LoadedPipeline unread;
-    report(unread.diagnostics, {file}, "cannot be read", "check the path and the permissions");
+    add_diagnostic(unread.diagnostics, {file}, "cannot be read",
+                   "check the path and the permissions");
     return unread;
   }
   return load_pipeline_text(text, file, registry, overrides);
@@ -215,9 +143,7 @@ std::shared_ptr<const Stage> make_stage(std::string_view kind, const std::string
   std::shared_ptr<const Stage> stage;
   if (node) stage = Binder(registry, diagnostics).stage(*node, kind).stage;
   if (stage != nullptr) return stage;
-  std::string message;
-  for (const Diagnostic& d : diagnostics) message += (message.empty() ? "" : "\n") + to_string(d);
-  throw Error(message);
+  throw UsageError(to_string(diagnostics));
 }
 
 }  // namespace xgm

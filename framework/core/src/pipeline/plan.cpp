@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// From the books of a pipeline to the peak and the seconds of a run.
+// A traced run, scaled: what each stage is going to be given and to take, and who holds what.
 #include "xgm/pipeline/plan.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "pipeline/ledger.hpp"
+#include "pipeline/scaled_call.hpp"
 #include "xgm/base/memory.hpp"
-#include "xgm/data/volume.hpp"
 
 namespace xgm {
 namespace {
+
+using trace::Buffer;
+using trace::Event;
 
 // The heap that libraries begin with, code that is loaded when it is first called, stacks: with the
 // files in memory, this is the peak of runs on 32 x 24 pixels.
@@ -17,26 +21,119 @@ constexpr double kProgramHeap = 14e6;
 // Beside the true disparities: those of the other view, and masks.
 constexpr double kTruthBytesPerPixel = 9;
 
-/// Work that is done in the processor's caches is as fast as the probe's; what is not waits for
-/// memory.
-double seconds_of(const PlannedStage& stage, const Experience& experience) {
-  const auto speed = experience.speeds.find(stage.kind + "/" + stage.plugin);
-  if (speed == experience.speeds.end() || speed->second <= 0) return 0;
-  const double waiting = experience.bandwidth > 0 ? stage.needs.moved / experience.bandwidth : 0;
-  return std::max(stage.needs.updates / speed->second, waiting);
+/// Work that is done in the processor's caches is as fast as in the small run; what is not waits
+/// for memory.
+double seconds_of(const Needs& needs, double speed, double bandwidth) {
+  const double waiting = bandwidth > 0 ? needs.moved / bandwidth : 0;
+  return std::max(speed > 0 ? needs.updates / speed : 0, waiting);
 }
 
-double mean_room(const DisparityRange& range, const cv::Mat1b& valid) {
-  double cells = 0, pixels = 0;
-  for (int y = 0; y < range.size().height; ++y) {
-    for (int x = 0; x < range.size().width; ++x) {
-      if (!valid.empty() && valid(y, x) == 0) continue;
-      cells += Workload::room(range.at(y, x).size());
-      ++pixels;
+/// Updates per second of each plugin in the small run, by kind and name.
+std::map<std::string, double> speeds(const RunTrace& trace) {
+  std::map<std::string, double> updates, seconds, speeds;
+  const trace::Scale small(trace, trace.calls().load);
+  for (const trace::Call& call : trace.calls().calls) {
+    const std::string key = call.place.kind + "/" + call.place.plugin;
+    updates[key] += small.needs(call, small.load(call)).updates;
+    seconds[key] += call.seconds;
+  }
+  for (const auto& [key, time] : seconds) speeds[key] = updates[key] / std::max(time, 1e-9);
+  return speeds;
+}
+
+/// Walks through the events of the small run with the sizes of the large one.
+class Walk {
+ public:
+  Walk(const RunTrace& trace, const PlanRequest& request, PlanLedger& ledger)
+      : calls_(trace.calls()), scale_(trace, request.load), ledger_(ledger) {
+    held_.resize(calls_.buffers.size());
+    last_take_.resize(calls_.buffers.size(), -1);
+    for (const Event& event : calls_.events) {
+      if (event.what == Event::What::take) last_take_[at(event.buffer)] = event.call;
     }
   }
-  return pixels > 0 ? cells / pixels : 0;
-}
+
+  void run() {
+    for (const Event& event : calls_.events) {
+      switch (event.what) {
+        case Event::What::begin:
+          begin(event.call);
+          break;
+        case Event::What::take:
+        case Event::What::give:
+          hold(event.buffer, call(event.call).parent, call(event.call));
+          break;
+        case Event::What::end:
+          end(event.call);
+          break;
+      }
+    }
+  }
+
+ private:
+  /// A buffer that lives in the plan.
+  struct Held {
+    bool now = false;
+    int holder = -1;  ///< the call that holds it; -1: the pipeline
+    double heap = 0, volumes = 0;
+  };
+
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+  const trace::Call& call(int i) const { return calls_.calls[at(i)]; }
+
+  void begin(int i) {
+    const trace::Call& seen = call(i);
+    PlannedStage stage;
+    stage.place = seen.place;
+    stage.load = scale_.load(seen);
+    stage.needs = scale_.needs(seen, stage.load);
+    ledger_.stages.push_back(std::move(stage));
+    ledger_.begin(at(i));
+  }
+
+  void hold(int buffer, int holder, const trace::Call& by) {
+    Held& held = held_[at(buffer)];
+    if (held.now) {
+      held.holder = std::min(held.holder, holder);  // handed on to a call further out
+      return;
+    }
+    const Buffer& seen = calls_.buffers[at(buffer)];
+    const bool is_volume = seen.kind == Buffer::Kind::volume;
+    const double bytes =
+        is_volume ? scale_.volume_bytes(seen, call(seen.call)) : scale_.pixel_bytes(seen, by);
+    held = {true, holder, is_volume ? 0 : bytes, is_volume ? bytes : 0};
+    ledger_.add(held.heap, held.volumes);
+  }
+
+  void end(int i) {
+    const Needs& needs = ledger_.stages[at(i)].needs;
+    ledger_.add(needs.working, 0);
+    ledger_.add(-needs.working, 0);
+    ledger_.end();
+    for (std::size_t b = 0; b < held_.size(); ++b) {
+      const bool passing = calls_.buffers[b].kind != Buffer::Kind::pixels && last_take_[b] == i;
+      if (held_[b].now && (held_[b].holder == i || passing)) release(held_[b]);
+    }
+    if (call(i).parent >= 0) return;
+    // As Pipeline::run() does: key points leave hundreds of MB behind, volumes wait for the next.
+    if (call(i).is_matcher) {
+      ledger_.give_back_volumes();
+    } else if (call(i).place.kind == "preprocess") {
+      ledger_.give_back_heap();
+    }
+  }
+
+  void release(Held& held) {
+    held.now = false;
+    ledger_.add(-held.heap, -held.volumes);
+  }
+
+  const RunTrace::Calls& calls_;
+  trace::Scale scale_;
+  PlanLedger& ledger_;
+  std::vector<Held> held_;
+  std::vector<int> last_take_;  ///< of each buffer, the call that was given it last
+};
 
 }  // namespace
 
@@ -48,37 +145,43 @@ Workload workload_of(const MatchRequest& request, int threads) {
   load.masked = !base.valid.empty();
   if (load.masked) load.used = cv::countNonZero(base.valid) / load.pixels();
   load.ragged = !request.range.is_uniform();
-  if (load.ragged) load.cells_per_pixel = mean_room(request.range, base.valid);
+  if (load.ragged) load.cells_per_pixel = trace::mean_cells(request.range, base.valid);
   return load;
 }
 
-RunPlan plan_run(const Pipeline& pipeline, const PlanRequest& request) {
-  PlanLedger ledger{.narrowing = request.experience.narrowing};
+double usual_bytes(const Workload& load) {
+  constexpr double kCostsAndSums = 3, kSmaller = 1.4;  // levels of a pyramid, lines of path costs
+  constexpr double kKeyPoints = 1.5e9, kBytesPerPixel = 100;
+  return kSmaller * kCostsAndSums * load.cells() + kBytesPerPixel * load.pixels() + kKeyPoints;
+}
+
+RunPlan plan_run(const RunTrace& trace, const PlanRequest& request) {
   const Workload& load = request.load;
-  const Planner planner(ledger);
-  const auto program = planner.hold(static_cast<double>(program_memory()) + kProgramHeap);
-  const auto truth = planner.hold(request.truth ? kTruthBytesPerPixel * load.pixels() : 0);
-  const auto inputs = planner.hold(2 * load.image_bytes() + load.range_bytes());
-  pipeline.plan(load, planner);
+  PlanLedger ledger(static_cast<double>(program_memory()) + kProgramHeap +
+                    (request.truth ? kTruthBytesPerPixel * load.pixels() : 0));
+  Walk(trace, request, ledger).run();
 
   RunPlan plan;
-  plan.stages = std::move(ledger.stages);
+  plan.narrowing = trace.narrowing;
   plan.peak_bytes = ledger.peak_bytes;
-  plan.peak_stage = plan.stages[ledger.peak_row].path;
+  plan.peak_stage = ledger.stages[ledger.peak_stage].place.path;
+  plan.stages = std::move(ledger.stages);
+  const auto speed = speeds(trace);
   for (PlannedStage& stage : plan.stages) {
-    stage.seconds = seconds_of(stage, request.experience);
+    stage.seconds = seconds_of(stage.needs, speed.at(stage.place.kind + "/" + stage.place.plugin),
+                               trace.calls().bandwidth);
     plan.seconds += stage.seconds;
     plan.estimated = plan.estimated || stage.load.estimated;
   }
   return plan;
 }
 
-int max_disparities(const Pipeline& pipeline, PlanRequest request, double bytes) {
+int max_disparities(const RunTrace& trace, PlanRequest request, double bytes) {
   const Interval asked = request.load.range;
   const auto fits = [&](int count) {
     request.load.range.end = asked.begin + count;
     request.load.cells_per_pixel = Workload::room(count);
-    return plan_run(pipeline, request).peak_bytes <= bytes;
+    return plan_run(trace, request).peak_bytes <= bytes;
   };
   int good = 0, bad = asked.size() + 1;
   while (bad - good > 1) {

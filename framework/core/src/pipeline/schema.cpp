@@ -2,11 +2,11 @@
 // JSON Schema of pipeline files: what the binder accepts, as far as a schema can say it (relations
 // between parameters cannot be said).
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "config/fields.hpp"
-#include "pipeline/graph.hpp"
-#include "xgm/pipeline/pipeline.hpp"
-#include "xgm/stage/dataset.hpp"
+#include "xgm/pipeline/describe.hpp"
+#include "xgm/stage/pipeline.hpp"
 
 namespace xgm {
 namespace {
@@ -79,14 +79,51 @@ Json stage_schema(const std::string& kind, const Registry& registry) {
   return {{"anyOf", std::move(alternatives)}};
 }
 
+/// Kinds of all stages that may stand in a plugin's fields, at any depth.
+void collect_kinds(const ParameterSet& set, const Registry& registry,
+                   std::set<std::string>& kinds) {
+  for (const Field& field : set.fields()) {
+    if (!is_stage(field) && !is_stage_list(field)) continue;
+    const std::string kind(stage_kind(field));
+    if (!kinds.insert(kind).second) continue;
+    for (const PluginInfo* plugin : registry.plugins(kind)) {
+      collect_kinds(plugin->prototype()->parameters(), registry, kinds);
+    }
+  }
+}
+
+/// The top of a file. The family that is meant without 'type' need not be named.
+Json family_schema(const PluginInfo& family, const Registry& registry,
+                   std::set<std::string>& kinds) {
+  const auto prototype = family.prototype();
+  collect_kinds(prototype->parameters(), registry, kinds);
+  int version = 1;
+  ParameterSet format;
+  format.add("xgm", version, "Version of the file format.").range(1, 1);
+  Json properties = object(format, Json::object(), Json::array())["properties"];
+  properties["type"] = {{"const", family.name}};
+  Json required = Json::array();
+  if (family.name != PipelineFamily::kDefault) required.push_back("type");
+  return object(prototype->parameters(), std::move(properties), std::move(required));
+}
+
 }  // namespace
 
 std::string pipeline_schema(const Registry& registry) {
   Json schema{{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", "xgm pipeline"}};
-  schema.update(object(pipeline_parameters(), Json::object(), Json::array()));
+  const auto families = registry.plugins(PipelineFamily::kKind);
+  std::set<std::string> kinds;
+  if (families.size() == 1) {
+    schema.update(family_schema(*families.front(), registry, kinds));
+  } else {
+    schema["anyOf"] = Json::array();
+    for (const PluginInfo* family : families) {
+      schema["anyOf"].push_back(family_schema(*family, registry, kinds));
+    }
+  }
   Json definitions = Json::object();
-  for (const auto& [kind, text] : Registry::kinds()) {
-    if (kind != Dataset::kKind) definitions[kind] = stage_schema(kind, registry);
+  for (const KindInfo& kind : registry.kinds()) {
+    if (kinds.contains(kind.name)) definitions[kind.name] = stage_schema(kind.name, registry);
   }
   schema["definitions"] = std::move(definitions);
   return schema.dump(2);

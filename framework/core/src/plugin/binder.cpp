@@ -5,6 +5,7 @@
 
 #include "config/fields.hpp"
 #include "xgm/base/suggest.hpp"
+#include "xgm/stage/pipeline.hpp"
 
 namespace xgm {
 namespace {
@@ -33,15 +34,15 @@ Node bare_word(const std::string& word, const Location& where) {
 Binder::BoundStage Binder::stage(const Node& node, std::string_view kind) {
   const std::string what = article(kind);
   if (!node.is_scalar() && !node.is_map()) {
-    fault(node.where, "expected " + what + ", found " + spell(node),
-          "write a name or {type: NAME, ...}");
+    diagnose(node.where, "expected " + what + ", found " + spell(node),
+             "write a name or {type: NAME, ...}");
     return {};
   }
   const Entry* type = node.is_map() ? node.find("type") : nullptr;
   if (node.is_map() && (type == nullptr || !type->value.is_scalar())) {
-    fault(type != nullptr ? type->value.where : node.where,
-          "this " + std::string(kind) + " does not say which one it is",
-          "add 'type: NAME', NAME being one of " + join(names_of(registry_.plugins(kind))));
+    diagnose(type != nullptr ? type->value.where : node.where,
+             "this " + std::string(kind) + " does not say which one it is",
+             "add 'type: NAME', NAME being one of " + join(names_of(registry_.plugins(kind))));
     return {};
   }
   const Node& name = node.is_map() ? type->value : node;
@@ -60,23 +61,46 @@ Binder::BoundStage Binder::stage(const Node& node, std::string_view kind) {
   return result;
 }
 
+Binder::BoundStage Binder::pipeline(const Node& root) {
+  const Entry* type = root.find("type");
+  const Node name =
+      type != nullptr ? type->value : bare_word(std::string(PipelineFamily::kDefault), root.where);
+  if (!name.is_scalar()) {
+    diagnose(name.where, "'type' of a pipeline must be a name, not " + spell(name),
+             "write one of " + join(names_of(registry_.plugins(PipelineFamily::kKind))));
+    return {};
+  }
+  const PluginInfo* family = find_plugin(name, PipelineFamily::kKind);
+  if (family == nullptr) return {};
+  const std::unique_ptr<Prototype> prototype = family->prototype();
+  int version = 1;
+  prototype->parameters().add("xgm", version, "Version of the file format.").range(1, 1);
+  BoundFields bound = fields(root, prototype->parameters(), "a pipeline", {"type"});
+  BoundStage result{nullptr, family->name, {{"xgm", version}}};
+  if (type != nullptr) result.resolved["type"] = family->name;
+  bound.resolved.erase("xgm");
+  result.resolved.update(bound.resolved);
+  if (bound.good) result.stage = prototype->build();
+  return result;
+}
+
 const PluginInfo* Binder::find_plugin(const Node& name, std::string_view kind) {
   if (const PluginInfo* plugin = registry_.find(kind, name.scalar)) return plugin;
   const auto others = registry_.named(name.scalar);
   if (!others.empty()) {
-    fault(name.where,
-          "'" + name.scalar + "' is " + article(others.front()->kind) + ", not " + article(kind),
-          "put " + article(kind) + " here: " + join(names_of(registry_.plugins(kind))));
+    diagnose(name.where,
+             "'" + name.scalar + "' is " + article(others.front()->kind) + ", not " + article(kind),
+             "put " + article(kind) + " here: " + join(names_of(registry_.plugins(kind))));
     return nullptr;
   }
   for (const LoadFailure& failure : registry_.failures()) {
     if (failure.name != name.scalar && !failure.provides.contains(name.scalar)) continue;
-    fault(name.where, std::string(kind) + " " + quote(name.scalar) + " could not be loaded",
-          failure.file + ": " + failure.reason);
+    diagnose(name.where, std::string(kind) + " " + quote(name.scalar) + " could not be loaded",
+             failure.file + ": " + failure.reason);
     return nullptr;
   }
-  fault(name.where, "there is no " + std::string(kind) + " called " + quote(name.scalar),
-        unknown_remedy(name.scalar, kind));
+  diagnose(name.where, "there is no " + std::string(kind) + " called " + quote(name.scalar),
+           unknown_remedy(name.scalar, kind));
   return nullptr;
 }
 
@@ -89,20 +113,20 @@ std::string Binder::unknown_remedy(const std::string& name, std::string_view kin
   return remedy;
 }
 
-void Binder::report_unknown_keys(const Node& map, const ParameterSet& set, const std::string& owner,
-                                 const std::set<std::string>& skip) {
+void Binder::check_keys(const Node& map, const ParameterSet& set, const std::string& owner,
+                        const std::set<std::string>& skip) {
   std::vector<std::string> known;
   for (const Field& field : set.fields()) known.push_back(field.name);
   for (const Entry& entry : map.entries) {
     const Entry* first = map.find(entry.key);
     if (first != &entry) {
-      fault(
+      diagnose(
           entry.where, "key " + quote(entry.key) + " appears twice",
           "keep one of them (the first stands in line " + std::to_string(first->where.line) + ")");
     } else if (!skip.contains(entry.key) &&
                std::find(known.begin(), known.end(), entry.key) == known.end()) {
-      fault(entry.where, owner + " has no parameter " + quote(entry.key),
-            known.empty() ? "it has none" : suggest(entry.key, known, "parameters"));
+      diagnose(entry.where, owner + " has no parameter " + quote(entry.key),
+               known.empty() ? "it has none" : suggest(entry.key, known, "parameters"));
     }
   }
 }
@@ -110,7 +134,7 @@ void Binder::report_unknown_keys(const Node& map, const ParameterSet& set, const
 Binder::BoundFields Binder::fields(const Node& map, ParameterSet& set, const std::string& owner,
                                    const std::set<std::string>& skip) {
   const std::size_t before = diagnostics_.size();
-  report_unknown_keys(map, set, owner, skip);
+  check_keys(map, set, owner, skip);
   BoundFields result;
   result.resolved = nlohmann::ordered_json::object();
   std::set<std::string> faulty;
@@ -126,8 +150,8 @@ Binder::BoundFields Binder::fields(const Node& map, ParameterSet& set, const std
     for (const std::string& name : rule.fields) {
       if (entry == nullptr) entry = map.find(name);
     }
-    fault(entry != nullptr ? entry->value.where : map.where,
-          "'" + rule.fields.front() + "' of " + owner + " " + rule.message, "");
+    diagnose(entry != nullptr ? entry->value.where : map.where,
+             "'" + rule.fields.front() + "' of " + owner + " " + rule.message, "");
   }
   result.good = diagnostics_.size() == before;
   return result;
@@ -143,9 +167,9 @@ bool Binder::bind(const Field& field, const Entry* entry, const Node& map, const
                        resolved);
     }
     if (field.is_optional) return true;
-    fault(map.where, owner + " needs '" + field.name + "'",
-          "add '" + field.name + ": NAME', NAME being one of " +
-              join(names_of(registry_.plugins(stage_kind(field)))));
+    diagnose(map.where, owner + " needs '" + field.name + "'",
+             "add '" + field.name + ": NAME', NAME being one of " +
+                 join(names_of(registry_.plugins(stage_kind(field)))));
     return false;
   }
   if (is_stage_list(field)) {
@@ -166,8 +190,8 @@ bool Binder::bind_slot(const Field& field, SlotBase& slot, const Node& node,
 
 bool Binder::bind_list(const Field& field, const Node& node, nlohmann::ordered_json& resolved) {
   if (!node.is_list()) {
-    fault(node.where, "'" + field.name + "' must be " + expected(field) + ", not " + spell(node),
-          "write it in brackets: [NAME, {type: NAME, ...}]");
+    diagnose(node.where, "'" + field.name + "' must be " + expected(field) + ", not " + spell(node),
+             "write it in brackets: [NAME, {type: NAME, ...}]");
     return false;
   }
   SlotListBase& slots = *std::get<SlotListBase*>(field.target);
@@ -181,8 +205,8 @@ bool Binder::bind_list(const Field& field, const Node& node, nlohmann::ordered_j
   return good;
 }
 
-void Binder::fault(const Location& where, std::string message, std::string remedy) {
-  report(diagnostics_, where, std::move(message), std::move(remedy));
+void Binder::diagnose(const Location& where, std::string message, std::string remedy) {
+  add_diagnostic(diagnostics_, where, std::move(message), std::move(remedy));
 }
 
 }  // namespace xgm

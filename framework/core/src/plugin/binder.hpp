@@ -26,6 +26,10 @@ class Binder {
   /// The stage that `node` (a bare name, or a map with 'type') describes.
   BoundStage stage(const Node& node, std::string_view kind);
 
+  /// The top of a pipeline file, which is a map: a stage of kind "pipeline". Its resolved
+  /// configuration begins with the version of the format.
+  BoundStage pipeline(const Node& root);
+
   struct BoundFields {
     bool good = true;
     nlohmann::ordered_json resolved;
@@ -38,14 +42,14 @@ class Binder {
  private:
   const PluginInfo* find_plugin(const Node& name, std::string_view kind);
   std::string unknown_remedy(const std::string& name, std::string_view kind) const;
-  void report_unknown_keys(const Node& map, const ParameterSet& set, const std::string& owner,
-                           const std::set<std::string>& skip);
+  void check_keys(const Node& map, const ParameterSet& set, const std::string& owner,
+                  const std::set<std::string>& skip);
   bool bind(const Field& field, const Entry* entry, const Node& map, const std::string& owner,
             nlohmann::ordered_json& resolved);
   bool bind_slot(const Field& field, SlotBase& slot, const Node& node, const std::string& place,
                  nlohmann::ordered_json& resolved);
   bool bind_list(const Field& field, const Node& node, nlohmann::ordered_json& resolved);
-  void fault(const Location& where, std::string message, std::string remedy);
+  void diagnose(const Location& where, std::string message, std::string remedy);
 
   const Registry& registry_;
   Diagnostics& diagnostics_;

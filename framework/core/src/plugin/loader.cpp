@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "xgm/base/error.hpp"
-#include "xgm/plugin.hpp"
+#include "xgm/plugin/handshake.hpp"
 
 namespace xgm {
 namespace {
@@ -67,6 +67,7 @@ bool Registry::load(const std::string& file) {
     const xgm_plugin_handshake& handshake = open(file);
     failure.name = handshake.name;
     if (const auto reason = objection(handshake)) throw Error(*reason);
+    loaded.kinds_ = kinds_;
     handshake.add(&loaded);
     for (const auto& [key, info] : loaded.plugins_) {
       if (find(info.kind, info.name) != nullptr) Registry(*this).add(info);  // throws: name taken
@@ -81,6 +82,7 @@ bool Registry::load(const std::string& file) {
     failures_.push_back(std::move(failure));
     return false;
   }
+  kinds_ = std::move(loaded.kinds_);
   for (auto& [key, info] : loaded.plugins_) {
     info.origin = file;
     add(std::move(info));

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "xgm/plugin/registry.hpp"
 
+#include <algorithm>
+
+#include "plugin/core_kinds.hpp"
 #include "xgm/base/error.hpp"
 
 namespace xgm {
@@ -11,13 +14,29 @@ void add_all(Registry& registry);  // generated
 
 Prototype::~Prototype() = default;
 
+Registry::Registry() { add_core_kinds(*this); }
+
 Registry Registry::with_builtins() {
   Registry registry;
   builtin::add_all(registry);
   return registry;
 }
 
+void Registry::add(KindInfo kind) {
+  for (const KindInfo& known : kinds_) {
+    if (known.name != kind.name) continue;
+    if (known.meaning == kind.meaning) return;
+    throw Error("there is already a kind of stage called '" + kind.name + "', which " +
+                known.meaning + "; choose another name");
+  }
+  kinds_.push_back(std::move(kind));
+}
+
 void Registry::add(PluginInfo info) {
+  if (!has_kind(info.kind)) {
+    throw Error("'" + info.name + "' is of kind '" + info.kind +
+                "', which is not known; call add_kind() first");
+  }
   std::pair key(info.kind, info.name);
   const auto known = plugins_.find(key);
   if (known != plugins_.end()) {
@@ -49,21 +68,9 @@ std::vector<const PluginInfo*> Registry::named(std::string_view name) const {
   return found;
 }
 
-const std::vector<std::pair<std::string, std::string>>& Registry::kinds() {
-  static const std::vector<std::pair<std::string, std::string>> kKinds{
-      {"dataset", "finds the scenes in a folder, and by which truth to judge them"},
-      {"preprocess", "makes a better image pair of an image pair"},
-      {"matcher", "finds the disparity maps of an image pair; matchers may hold matchers"},
-      {"search_range", "narrows what the next finer level of a pyramid searches"},
-      {"cost", "compares a base pixel with its candidates in the match image"},
-      {"penalty", "weighs disparity steps between neighbours: P1 and P2"},
-      {"aggregation", "sums the costs along paths through the image"},
-      {"selection", "picks one disparity per pixel"},
-      {"refinement", "moves a disparity by a fraction of a pixel"},
-      {"filter", "makes a better disparity map of a disparity map"},
-      {"consistency", "compares the maps of both views"},
-  };
-  return kKinds;
+bool Registry::has_kind(std::string_view kind) const {
+  return std::any_of(kinds_.begin(), kinds_.end(),
+                     [&](const KindInfo& known) { return known.name == kind; });
 }
 
 }  // namespace xgm

@@ -15,10 +15,6 @@ double now() {
   return std::chrono::duration<double>(time).count();
 }
 
-std::size_t size_of(const DisparityRange& range) {
-  return range.is_uniform() ? 0 : static_cast<std::size_t>(range.size().area()) * 2 * sizeof(int);
-}
-
 std::size_t size_of(const Image& image) {
   return static_cast<std::size_t>(image.size().area()) *
          (image.planes.size() * sizeof(float) + (image.valid.empty() ? 0 : 1));
@@ -28,17 +24,30 @@ std::size_t size_of(const Image& image) {
 
 Stage::~Stage() = default;
 Observer::~Observer() = default;
-void Observer::log(LogLevel, const std::string&, const std::string&) {}
-void Observer::stage_begin(const std::string&, const std::string&) {}
-void Observer::stage_end(const std::string&, const StageStatistics&, const Artifact&) {}
-void Observer::report(const std::string&, const std::string&, double) {}
+void Observer::log(LogLevel, const StagePlace&, const std::string&) {}
+void Observer::stage_begin(const StagePlace&) {}
+void Observer::stage_end(const StagePlace&, const StageStatistics&, const Artifact&) {}
+void Observer::figure(const StagePlace&, const std::string&, double) {}
 void Observer::progress(double) {}
-void Observer::stage_input(const std::string&, const Artifact&) {}
+void Observer::stage_input(const StagePlace&, const Artifact&) {}
 
 Context Context::scope(std::string_view name) const {
   Context inner = *this;
-  if (!inner.path_.empty()) inner.path_ += '.';
-  inner.path_ += name;
+  std::string& path = inner.place_.path;
+  if (!path.empty()) path += '.';
+  path += name;
+  return inner;
+}
+
+Context Context::level(std::string_view name, double scale) const {
+  Context inner = scope(name);
+  inner.place_.level = {std::string(name), place_.level.scale * scale, inner.path()};
+  return inner;
+}
+
+Context Context::other_view(std::string_view name) const {
+  Context inner = scope(name);
+  inner.place_.view = place_.view == View::forward ? View::reverse : View::forward;
   return inner;
 }
 
@@ -49,32 +58,48 @@ Context Context::part(double begin, double end) const {
   return inner;
 }
 
+Context Context::inside(std::string_view field, std::string_view kind, const std::string& plugin,
+                        const Stage& stage) const {
+  Context inner = scope(field);
+  inner.place_.depth = place_.stage == nullptr ? 0 : place_.depth + 1;
+  inner.place_.slot = field;
+  inner.place_.kind = kind;
+  inner.place_.plugin = plugin;
+  inner.place_.stage = &stage;
+  return inner;
+}
+
 void Context::log(LogLevel level, const std::string& text) const {
-  if (observer_ != nullptr) observer_->log(level, path_, text);
+  if (observer_ != nullptr) observer_->log(level, place_, text);
 }
 
 void Context::tell_input(const Artifact& input) const {
-  if (observer_ != nullptr) observer_->stage_input(path_, input);
+  if (observer_ != nullptr) observer_->stage_input(place_, input);
 }
 
-void Context::report(const std::string& name, double value) const {
-  if (observer_ != nullptr) observer_->report(path_, name, value);
+void Context::figure(const std::string& name, double value) const {
+  if (observer_ != nullptr) observer_->figure(place_, name, value);
+}
+
+void Context::throw_if_cancelled() const {
+  if (cancelled()) throw Cancelled();
 }
 
 void Context::progress(double share) const {
+  throw_if_cancelled();
   if (observer_ != nullptr) observer_->progress(begin_ + (end_ - begin_) * share);
 }
 
-Context::StageRun::StageRun(const Context& context, const std::string& plugin)
-    : context_(context), start_(now()) {
-  if (context.observer_ != nullptr) context.observer_->stage_begin(context.path_, plugin);
+Context::StageRun::StageRun(const Context& context) : context_(context), start_(now()) {
+  context.throw_if_cancelled();
+  if (context.observer_ != nullptr) context.observer_->stage_begin(context.place_);
 }
 
 void Context::StageRun::finish(const ImagePair& result) const {
   finish(size_of(result.base) + size_of(result.match), &result);
 }
 void Context::StageRun::finish(const DisparityRange& result) const {
-  finish(size_of(result), &result);
+  finish(result.bytes(), &result);
 }
 void Context::StageRun::finish(const CostVolume& result) const {
   finish(result.bytes() + result.shape().bytes(), &result);
@@ -90,22 +115,25 @@ void Context::StageRun::finish(const MatchResult& result) const {
 }
 
 void Context::StageRun::finish(std::size_t bytes, const Artifact& result) const {
+  context_.throw_if_cancelled();
   if (context_.observer_ == nullptr) return;
-  context_.observer_->stage_end(context_.path_, {now() - start_, bytes}, result);
+  context_.observer_->stage_end(context_.place_, {now() - start_, bytes}, result);
   context_.progress(1);
 }
 
 void Context::StageRun::rethrow() const {
   try {
     throw;
+  } catch (const Cancelled&) {
+    throw;
   } catch (const Error& error) {
     if (!error.stage_path().empty()) throw;
-    throw Error(context_.path_, error.message());
+    throw Error(context_.path(), error.message());
   } catch (const std::bad_alloc&) {
-    throw Error(context_.path_,
+    throw Error(context_.path(),
                 "not enough memory; use a smaller image, a narrower disparity range or a pyramid");
   } catch (const std::exception& error) {
-    throw Error(context_.path_, error.what());
+    throw Error(context_.path(), error.what());
   }
 }
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench/identity.hpp"
 
-#include <dlfcn.h>
-
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <opencv2/core/version.hpp>
 
 #include "xgm/base/error.hpp"
+#include "xgm/pipeline/installation.hpp"
 
 namespace xgm {
 namespace fs = std::filesystem;
@@ -37,18 +36,16 @@ Json results(const std::string& folder) {
           {"disparity.pfm", json(identify_file(in(folder, "disparity.pfm")))}};
 }
 
-/// The file that this function was loaded from: the library, or the program it is linked into.
-std::string library_file() {
-  Dl_info info{};
-  const bool found = ::dladdr(reinterpret_cast<const void*>(&cell_identity), &info) != 0;
-  return found && info.dli_fname != nullptr ? info.dli_fname : "/proc/self/exe";
-}
-
 }  // namespace
 
-std::vector<FileIdentity> identify_program(const std::vector<std::string>& plugins) {
-  std::vector<FileIdentity> identities{identify_file("/proc/self/exe"),
-                                       identify_file(library_file())};
+std::vector<FileIdentity> identify_program(const std::string& program,
+                                           const std::vector<std::string>& plugins) {
+  // This library keeps the run's record, the core makes its map.
+  const std::string recorder = file_of(reinterpret_cast<const void*>(&cell_identity));
+  std::vector<FileIdentity> identities;
+  for (const std::string& file : {program, library_file(), recorder}) {
+    identities.push_back(identify_file(file));
+  }
   for (const std::string& plugin : plugins) identities.push_back(identify_file(plugin));
   return identities;
 }

@@ -27,9 +27,9 @@ struct sigaction former_actions[std::size(kSignals)];
 
 void note_signal(int number) { noted_signal = number; }
 
-/// Becomes this program, run with other arguments; reads nothing, and writes all to `log`. Only
-/// what is safe after a fork in a program of several threads.
-[[noreturn]] void become(char* const* words, const char* log, pid_t parent,
+/// Becomes another program; reads nothing, and writes all to `log`. Only what is safe after a fork
+/// in a program of several threads.
+[[noreturn]] void become(const char* program, char* const* words, const char* log, pid_t parent,
                          const sigset_t& signals) {
   constexpr int kMode = 0644;
   constexpr int kNotFound = 127;
@@ -51,13 +51,11 @@ void note_signal(int number) { noted_signal = number; }
   for (const int file : {input, output}) {
     if (file > STDERR_FILENO) ::close(file);
   }
-  ::execve("/proc/self/exe", words, environ);
+  ::execve(program, words, environ);
   ::_exit(kNotFound);
 }
 
-pid_t spawn(const std::vector<std::string>& arguments, const std::string& log) {
-  std::vector<std::string> words{"pipeline"};
-  words.insert(words.end(), arguments.begin(), arguments.end());
+pid_t spawn(const std::string& program, std::vector<std::string> words, const std::string& log) {
   std::vector<char*> pointers;
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
@@ -67,11 +65,11 @@ pid_t spawn(const std::vector<std::string>& arguments, const std::string& log) {
   sigfillset(&all);
   ::pthread_sigmask(SIG_SETMASK, &all, &former);
   const pid_t child = ::fork();
-  if (child == 0) become(pointers.data(), log.c_str(), parent, former);
+  if (child == 0) become(program.c_str(), pointers.data(), log.c_str(), parent, former);
   const int failure = errno;
   ::pthread_sigmask(SIG_SETMASK, &former, nullptr);
   if (child < 0) {
-    throw Error(std::string("the program cannot be started again: ") + std::strerror(failure));
+    throw Error(std::string("the program cannot be started: ") + std::strerror(failure));
   }
   return child;
 }
@@ -160,9 +158,10 @@ FolderLock::FolderLock(const std::string& folder) {
 // The file stays: who removed it could remove one that another process has just locked.
 FolderLock::~FolderLock() { ::close(file_); }
 
-RunOutcome run_this_program(const std::vector<std::string>& arguments, const std::string& log) {
+RunOutcome run_program(const std::string& program, const std::vector<std::string>& words,
+                       const std::string& log) {
   if (Interruptible::signal() != 0) return {.interrupted = true, .failure = {}};
-  const int status = wait_for(spawn(arguments, log));
+  const int status = wait_for(spawn(program, words, log));
   const std::string failure = failure_of(status, log);
   // A run that ended well before the signal could reach it is done.
   if (Interruptible::signal() != 0 && !failure.empty()) return {.interrupted = true, .failure = {}};

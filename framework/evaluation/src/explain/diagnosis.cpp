@@ -21,12 +21,12 @@ const LevelExplanation* blind_level(const Explanation& explanation) {
 }
 
 std::string lost_range(const Explanation& explanation, const LevelExplanation& level) {
-  std::string text = "range: " + level_name(level.scale) + " searched " +
+  std::string text = "range: " + level_name(level.level) + " searched " +
                      range_text(level.forward.range) + ", the truth is " +
                      number(level.forward.truth->disparity);
   if (&level == &explanation.levels.front()) return text + ", outside of what was asked for";
   const LevelExplanation& coarser = *(&level - 1);
-  return text + "; " + level_name(coarser.scale) + " had said " +
+  return text + "; " + level_name(coarser.level) + " had said " +
          state_text(coarser.forward.result) + " for " + number(coarser.forward.truth->disparity);
 }
 

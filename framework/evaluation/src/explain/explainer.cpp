@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "explain/curve.hpp"
-#include "explain/levels.hpp"
 #include "explain/story.hpp"
 #include "explain/watcher.hpp"
 #include "xgm/base/error.hpp"
@@ -13,20 +12,20 @@ namespace {
 void check(cv::Size size, const std::vector<cv::Point>& pixels, const cv::Mat1f& truth) {
   for (const cv::Point& pixel : pixels) {
     if (cv::Rect({}, size).contains(pixel)) continue;
-    throw Error("pixel " + std::to_string(pixel.x) + " " + std::to_string(pixel.y) +
-                " lies outside of the images, which are " + std::to_string(size.width) + " x " +
-                std::to_string(size.height) + " pixels; give x from 0 to " +
-                std::to_string(size.width - 1) + " and y from 0 to " +
-                std::to_string(size.height - 1));
+    throw UsageError("pixel " + std::to_string(pixel.x) + " " + std::to_string(pixel.y) +
+                     " lies outside of the images, which are " + std::to_string(size.width) +
+                     " x " + std::to_string(size.height) + " pixels; give x from 0 to " +
+                     std::to_string(size.width - 1) + " and y from 0 to " +
+                     std::to_string(size.height - 1));
   }
   if (!truth.empty() && truth.size() != size) {
-    throw Error("the truth is not of the images' size; give that of the same scene");
+    throw UsageError("the truth is not of the images' size; give that of the same scene");
   }
 }
 
 void add_truth(LevelExplanation& level, double truth) {
   MatchExplanation& match = level.forward;
-  const double here = truth / level.scale;
+  const double here = truth / level.level.scale;
   const int nearest = static_cast<int>(std::lround(here));
   match.truth = {static_cast<float>(here), match.range.contains(nearest),
                  explain::candidate(match, nearest)};
@@ -35,7 +34,7 @@ void add_truth(LevelExplanation& level, double truth) {
 PixelState result_of(const std::vector<ExplainedEvent>& events) {
   PixelState result;
   for (const ExplainedEvent& event : events) {
-    if (event.after && !event.reverse && event.scale == 1) result = *event.after;
+    if (event.after && !event.reverse && event.level.scale == 1) result = *event.after;
   }
   return result;
 }
@@ -73,8 +72,7 @@ class Explainer::Impl {
       MatchExplanation of_pixel = match.of[i];
       explain::find_candidates(of_pixel);
       if (!match.reverse) {
-        const double scale = explain::scale_of(watcher_.size(), match.size);
-        result.push_back({scale, match.size, std::move(of_pixel), std::nullopt});
+        result.push_back({match.level, match.size, std::move(of_pixel), std::nullopt});
       } else if (!result.empty() && result.back().size == match.size && of_pixel.pixel.x >= 0) {
         result.back().reverse = std::move(of_pixel);
       }
@@ -104,18 +102,15 @@ Explainer::Explainer(cv::Size size, std::vector<cv::Point> pixels, cv::Mat1f tru
 }
 Explainer::~Explainer() = default;
 
-void Explainer::stage_begin(const std::string& stage_path, const std::string& plugin) {
-  impl_->watcher().begin(stage_path, plugin);
+void Explainer::stage_begin(const StagePlace& place) { impl_->watcher().begin(place); }
+void Explainer::stage_input(const StagePlace& place, const Artifact& input) {
+  impl_->watcher().input(place, input);
 }
-void Explainer::stage_input(const std::string& stage_path, const Artifact& input) {
-  impl_->watcher().input(stage_path, input);
+void Explainer::stage_end(const StagePlace& place, const StageStatistics&, const Artifact& result) {
+  impl_->watcher().end(place, result);
 }
-void Explainer::stage_end(const std::string& stage_path, const StageStatistics&,
-                          const Artifact& result) {
-  impl_->watcher().end(stage_path, result);
-}
-void Explainer::report(const std::string& stage_path, const std::string& name, double value) {
-  impl_->watcher().report(stage_path, name, value);
+void Explainer::figure(const StagePlace& place, const std::string& name, double value) {
+  impl_->watcher().figure(place, name, value);
 }
 
 std::vector<Explanation> Explainer::explanations() const {

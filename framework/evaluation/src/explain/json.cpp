@@ -68,7 +68,7 @@ void add_match(Json& json, const MatchExplanation& match) {
 }
 
 Json level(const LevelExplanation& level) {
-  Json json = {{"scale", level.scale}, {"size", {level.size.width, level.size.height}}};
+  Json json = {{"scale", level.level.scale}, {"size", {level.size.width, level.size.height}}};
   add_match(json, level.forward);
   json["reverse"] = nullptr;
   if (level.reverse) {
@@ -80,14 +80,10 @@ Json level(const LevelExplanation& level) {
 }
 
 Json event(const ExplainedEvent& event) {
-  return {{"stage", event.stage_path},
-          {"plugin", event.plugin},
-          {"scale", event.scale},
-          {"view", event.reverse ? "reverse" : "forward"},
-          {"effect", to_string(event.effect)},
-          {"before", state(event.before)},
-          {"after", state(event.after)},
-          {"text", event.text}};
+  return {{"stage", event.place.path},         {"plugin", event.place.plugin},
+          {"scale", event.level.scale},        {"view", event.reverse ? "reverse" : "forward"},
+          {"effect", to_string(event.effect)}, {"before", state(event.before)},
+          {"after", state(event.after)},       {"text", event.text}};
 }
 
 Json units() {

@@ -3,19 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+
+#include "xgm/base/text.hpp"
 
 namespace xgm::explain {
 namespace {
 
-/// How often `full` is halved to give `level`; -1 if never.
-int halvings(cv::Size full, cv::Size level) {
-  for (int count = 0;; ++count) {
-    if (full == level) return count;
-    if (full.width <= 1 && full.height <= 1) return -1;
-    full = {full.width / 2 + full.width % 2, full.height / 2 + full.height % 2};
-  }
-}
+int divided(int n, double scale) { return static_cast<int>(std::ceil(n / scale)); }
 
 int scaled(int x, int from, int to) {
   const auto place = static_cast<std::int64_t>(x) * to / std::max(from, 1);
@@ -24,16 +18,11 @@ int scaled(int x, int from, int to) {
 
 }  // namespace
 
-double scale_of(cv::Size full, cv::Size level) {
-  const int count = halvings(full, level);
-  if (count >= 0) return std::ldexp(1.0, count);
-  return static_cast<double>(full.width) / std::max(level.width, 1);
-}
-
-cv::Point at_level(cv::Point pixel, cv::Size full, cv::Size level) {
-  const int count = halvings(full, level);
-  if (count >= 0) return {pixel.x >> count, pixel.y >> count};
-  return {scaled(pixel.x, full.width, level.width), scaled(pixel.y, full.height, level.height)};
+cv::Point at_level(cv::Point pixel, cv::Size full, cv::Size size, double scale) {
+  if (divided(full.width, scale) == size.width && divided(full.height, scale) == size.height) {
+    return {static_cast<int>(pixel.x / scale), static_cast<int>(pixel.y / scale)};
+  }
+  return {scaled(pixel.x, full.width, size.width), scaled(pixel.y, full.height, size.height)};
 }
 
 cv::Point pointed_at(cv::Point pixel, float disparity) {
@@ -42,15 +31,8 @@ cv::Point pointed_at(cv::Point pixel, float disparity) {
   return {static_cast<int>(std::clamp(x, -kFar, kFar)), pixel.y};
 }
 
-std::string level_name(double scale) {
-  std::ostringstream name;
-  name.precision(3);
-  name << 's' << scale;
-  return name.str();
-}
-
-bool in_reverse_scope(const std::string& stage_path) {
-  return ("." + stage_path + ".").find(".reverse.") != std::string::npos;
+std::string level_name(const Level& level) {
+  return level.name.empty() ? "s" + short_number(level.scale) : level.name;
 }
 
 }  // namespace xgm::explain

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "explain/story.hpp"
 
+#include <tuple>
+
 #include "explain/levels.hpp"
 #include "xgm/base/text.hpp"
 
@@ -13,7 +15,7 @@ std::string signed_number(double value) { return (value < 0 ? "" : "+") + number
 std::vector<const ExplainedEvent*> decisive_events(const Explanation& explanation) {
   std::vector<const ExplainedEvent*> events;
   for (const ExplainedEvent& event : explanation.events) {
-    if (event.reverse || event.scale != 1 || !event.after) continue;
+    if (event.reverse || event.level.scale != 1 || !event.after) continue;
     if (!event.before) events.clear();  // matched anew
     if (event.effect != Effect::kept) events.push_back(&event);
   }
@@ -22,7 +24,7 @@ std::vector<const ExplainedEvent*> decisive_events(const Explanation& explanatio
 
 std::string at_scale(const ExplainedEvent& event) {
   return stage_name(event) +
-         (event.scale == 1 ? " at full scale" : " at " + level_name(event.scale));
+         (event.level.scale == 1 ? " at full scale" : " at " + level_name(event.level));
 }
 
 std::string loss(const Explanation& explanation, const ExplainedEvent& event) {
@@ -89,9 +91,9 @@ std::string change_text(const std::optional<PixelState>& before, const PixelStat
 }
 
 std::string stage_name(const ExplainedEvent& event) {
-  const std::string last = event.stage_path.substr(event.stage_path.rfind('.') + 1);
-  if (event.plugin.empty() || event.plugin == last) return last;
-  return last.empty() ? event.plugin : last + " " + event.plugin;
+  const auto& [slot, plugin] = std::tie(event.place.slot, event.place.plugin);
+  if (plugin.empty() || plugin == slot) return slot;
+  return slot.empty() ? plugin : slot + " " + plugin;
 }
 
 std::string verdict(const Explanation& explanation) {

@@ -79,7 +79,7 @@ std::vector<explain::Mark> marks(const MatchExplanation& match) {
 std::string level_text(const LevelExplanation& level) {
   const MatchExplanation& match = level.forward;
   std::string text =
-      wrapped(level_name(level.scale) + " (" + std::to_string(level.size.width) + " x " +
+      wrapped(level_name(level.level) + " (" + std::to_string(level.size.width) + " x " +
                   std::to_string(level.size.height) + "), pixel " + point_text(match.pixel) + ", " +
                   match.plugin + ", range " + range_text(match.range),
               2);
@@ -104,7 +104,7 @@ std::string events_text(const std::vector<ExplainedEvent>& events) {
   for (const ExplainedEvent& event : events) {
     const std::size_t length = explain::stage_name(event).size();
     if (length <= kMaxName) width = std::max(width, length);
-    scale_width = std::max(scale_width, level_name(event.scale).size());
+    scale_width = std::max(scale_width, level_name(event.level).size());
   }
   std::string text;
   const auto padded = [](std::string word, std::size_t size) {
@@ -113,7 +113,7 @@ std::string events_text(const std::vector<ExplainedEvent>& events) {
   };
   for (const ExplainedEvent& event : events) {
     const std::string kept = event.effect == Effect::kept ? " (kept)" : "";
-    text += wrapped("  " + padded(level_name(event.scale), scale_width) +
+    text += wrapped("  " + padded(level_name(event.level), scale_width) +
                         padded(event.reverse ? "reverse" : "forward", 0) +
                         padded(explain::stage_name(event), width) + event.text + kept,
                     scale_width + width + 15);

@@ -13,20 +13,20 @@ namespace xgm::explain {
 Watcher::Watcher(cv::Size size, std::vector<cv::Point> pixels)
     : size_(size), pixels_(std::move(pixels)), events_(pixels_.size()) {}
 
-void Watcher::begin(const std::string& path, const std::string& plugin) {
+void Watcher::begin(const StagePlace& place) {
   Frame frame;
-  frame.path = path;
-  frame.plugin = plugin;
+  frame.place = place;
+  frame.place.stage = nullptr;  // the pipeline may be gone before this
   frame.size = frames_.empty() ? size_ : frames_.back().size;
-  frame.reverse = !frames_.empty() && frames_.back().reverse;
   frames_.push_back(std::move(frame));
 }
 
-/// The innermost running stage at `path`. Stages that failed, and were caught, never end: they are
-/// above it and are forgotten.
-Watcher::Frame* Watcher::open_frame(const std::string& path) {
-  const auto found = std::find_if(frames_.rbegin(), frames_.rend(),
-                                  [&](const Frame& frame) { return frame.path == path; });
+/// The innermost running stage at this place. Stages that failed, and were caught, never end: they
+/// are above it and are forgotten.
+Watcher::Frame* Watcher::open_frame(const StagePlace& place) {
+  const auto found = std::find_if(frames_.rbegin(), frames_.rend(), [&](const Frame& frame) {
+    return frame.place.path == place.path;
+  });
   if (found == frames_.rend()) return nullptr;
   frames_.resize(static_cast<std::size_t>(frames_.rend() - found));
   return &frames_.back();
@@ -36,24 +36,18 @@ Watcher::Frame* Watcher::open_frame(const std::string& path) {
 Watcher::Frame* Watcher::matcher_of(const Frame& frame) {
   const auto found = std::find_if(frames_.rbegin(), frames_.rend(),
                                   [](const Frame& outer) { return outer.request != nullptr; });
-  const bool same = found != frames_.rend() && found->reverse == frame.reverse;
+  const bool same = found != frames_.rend() && found->place.view == frame.place.view;
   return same ? &*found : nullptr;
 }
 
-bool Watcher::other_view(const ImagePair& pair) {
-  if (!base_is_reverse_) base_is_reverse_ = pair.is_reverse;
-  return pair.is_reverse != *base_is_reverse_;
-}
-
-void Watcher::input(const std::string& path, const Artifact& input) {
-  Frame* frame = open_frame(path);
+void Watcher::input(const StagePlace& place, const Artifact& input) {
+  Frame* frame = open_frame(place);
   if (frame == nullptr) return;
   if (const auto* request = std::get_if<const MatchRequest*>(&input)) {
     take_request(*frame, **request);
   } else if (const auto* pair = std::get_if<const ImagePair*>(&input)) {
     frame->pair = *pair;
     frame->size = (*pair)->size();
-    frame->reverse = other_view(**pair);
   } else if (const auto* costs = std::get_if<const CostVolume*>(&input)) {
     take_costs(*frame, **costs);  // what is aggregated is what counts, whatever made it
   } else if (const auto* sums = std::get_if<const AggregatedVolume*>(&input)) {
@@ -72,14 +66,13 @@ void Watcher::take_request(Frame& frame, const MatchRequest& request) {
   }
   frame.request = &request;
   frame.size = request.pair.size();
-  frame.reverse = other_view(request.pair);
-  Track& here = track(frame.size, frame.reverse);
+  Track& here = track(frame.size, frame.place.level, frame.is_reverse());
   start(here);
-  if (frame.reverse || frame.size == announced_) return;
+  if (frame.is_reverse() || frame.size == announced_) return;
   announced_ = frame.size;
   for (std::size_t i = 0; i < pixels_.size(); ++i) {
     const cv::Point at = here.at[i];
-    tell(i, frame, frame.size, Effect::range, "range " + range_text(request.range.at(at.y, at.x)));
+    tell(i, frame, Effect::range, "range " + range_text(request.range.at(at.y, at.x)));
   }
 }
 
@@ -100,18 +93,19 @@ void Watcher::take_sums(Frame& frame, const AggregatedVolume& sums) {
   }
 }
 
-void Watcher::report(const std::string& path, const std::string& name, double value) {
-  if (frames_.empty() || frames_.back().path != path) return;
+void Watcher::figure(const StagePlace& place, const std::string& name, double value) {
+  if (frames_.empty() || frames_.back().place.path != place.path) return;
   frames_.back().figures += ", " + name + " " + number(value);
 }
 
 /// The track of a view at a size; made if there is none.
-Watcher::Track& Watcher::track(cv::Size size, bool reverse) {
+Watcher::Track& Watcher::track(cv::Size size, const Level& level, bool reverse) {
   for (Track& known : tracks_) {
     if (known.size == size && known.reverse == reverse) return known;
   }
   Track& made = tracks_.emplace_back();
   made.size = size;
+  made.level = level;
   made.reverse = reverse;
   start(made);
   return made;
@@ -123,13 +117,18 @@ void Watcher::start(Track& here) {
   here.state.assign(pixels_.size(), std::nullopt);
   here.at.assign(pixels_.size(), {-1, -1});
   if (here.reverse) {
-    const Track& forward = track(here.size, false);
+    const Track& forward = track(here.size, here.level, false);
     for (std::size_t i = 0; i < pixels_.size(); ++i) here.at[i] = counterpart(forward, i);
   } else {
     for (std::size_t i = 0; i < pixels_.size(); ++i) {
-      here.at[i] = at_level(pixels_[i], size_, here.size);
+      here.at[i] = at_level(pixels_[i], size_, here.size, here.level.scale);
     }
   }
+}
+
+/// Where pixel i lies in images of `size` that the stage works on.
+cv::Point Watcher::place_of(std::size_t i, const Frame& frame, cv::Size size) const {
+  return at_level(pixels_[i], size_, size, frame.place.level.scale);
 }
 
 /// Where the forward disparity points at; if the pixel has lost it, where the lowest cell does.
@@ -151,14 +150,15 @@ cv::Point Watcher::counterpart(const Track& forward, std::size_t i) const {
 /// What this matcher did; begun when there is something to tell.
 Match& Watcher::match_of(Frame& matcher) {
   if (matcher.match != nullptr) return *matcher.match;
-  Track& here = track(matcher.size, matcher.reverse);
+  Track& here = track(matcher.size, matcher.place.level, matcher.is_reverse());
   Match& match = matches_.emplace_back();
   match.size = matcher.size;
-  match.reverse = matcher.reverse;
+  match.level = matcher.place.level;
+  match.reverse = matcher.is_reverse();
   match.of.resize(pixels_.size());
   for (std::size_t i = 0; i < pixels_.size(); ++i) {
-    match.of[i].stage_path = matcher.path;
-    match.of[i].plugin = matcher.plugin;
+    match.of[i].stage_path = matcher.place.path;
+    match.of[i].plugin = matcher.place.plugin;
     match.of[i].pixel = here.at[i];
     if (here.at[i].x < 0) continue;
     match.of[i].range = matcher.request->range.at(here.at[i].y, here.at[i].x);

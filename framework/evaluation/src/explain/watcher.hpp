@@ -17,6 +17,7 @@ namespace xgm::explain {
 /// in the reverse view are at x = -1.
 struct Match {
   cv::Size size;
+  Level level;
   bool reverse = false;
   std::vector<MatchExplanation> of;
 };
@@ -25,10 +26,10 @@ class Watcher {
  public:
   Watcher(cv::Size size, std::vector<cv::Point> pixels);
 
-  void begin(const std::string& path, const std::string& plugin);
-  void input(const std::string& path, const Artifact& input);
-  void end(const std::string& path, const Artifact& result);
-  void report(const std::string& path, const std::string& name, double value);
+  void begin(const StagePlace& place);
+  void input(const StagePlace& place, const Artifact& input);
+  void end(const StagePlace& place, const Artifact& result);
+  void figure(const StagePlace& place, const std::string& name, double value);
 
   cv::Size size() const { return size_; }
   const std::vector<cv::Point>& pixels() const { return pixels_; }
@@ -38,9 +39,8 @@ class Watcher {
  private:
   /// A stage that is running. The inputs are the caller's and live as long as it runs.
   struct Frame {
-    std::string path, plugin;
-    cv::Size size;         ///< of the images it works on, as far as they are known
-    bool reverse = false;  ///< whether its base view is the match image of the run
+    StagePlace place;
+    cv::Size size;  ///< of the images it works on, as far as they are known
     bool holds_matcher = false;
     const MatchRequest* request = nullptr;
     const ImagePair* pair = nullptr;
@@ -49,20 +49,22 @@ class Watcher {
     const MatchResult* maps = nullptr;
     Match* match = nullptr;
     std::string figures;
+
+    bool is_reverse() const { return place.view == View::reverse; }
   };
 
   /// The map of one view at one size, as far as it has come.
   struct Track {
     cv::Size size;
+    Level level;
     bool reverse = false;
     Match* match = nullptr;  ///< that made it
     std::vector<cv::Point> at;
     std::vector<std::optional<PixelState>> state;
   };
 
-  Frame* open_frame(const std::string& path);
+  Frame* open_frame(const StagePlace& place);
   Frame* matcher_of(const Frame& frame);
-  bool other_view(const ImagePair& pair);
   void take_request(Frame& frame, const MatchRequest& request);
   void take_costs(Frame& frame, const CostVolume& costs);
   void take_sums(Frame& frame, const AggregatedVolume& sums);
@@ -72,15 +74,16 @@ class Watcher {
   void map_returned(Frame& frame, const DisparityMap& result);
   void maps_returned(Frame& frame, const MatchResult& result);
 
-  Track& track(cv::Size size, bool reverse);
+  Track& track(cv::Size size, const Level& level, bool reverse);
   void start(Track& track);
+  cv::Point place_of(std::size_t i, const Frame& frame, cv::Size size) const;
   cv::Point counterpart(const Track& forward, std::size_t i) const;
   Match& match_of(Frame& matcher);
   void follow(const Frame& frame, Track& track, const DisparityMap* before,
               const DisparityMap& after);
   void record(std::size_t i, const Frame& frame, const Track& track,
               const std::optional<PixelState>& before, const PixelState& after);
-  void tell(std::size_t i, const Frame& frame, cv::Size size, Effect effect, std::string text);
+  void tell(std::size_t i, const Frame& frame, Effect effect, std::string text);
 
   cv::Size size_;
   std::vector<cv::Point> pixels_;
@@ -88,7 +91,6 @@ class Watcher {
   std::deque<Track> tracks_;  // deques: elements stay where they are
   std::deque<Match> matches_;
   std::vector<std::vector<ExplainedEvent>> events_;
-  std::optional<bool> base_is_reverse_;
   cv::Size announced_;  // the level whose range was told last
 };
 

@@ -57,8 +57,8 @@ std::string rivals_text(MatchExplanation match) {
 
 }  // namespace
 
-void Watcher::end(const std::string& path, const Artifact& result) {
-  Frame* frame = open_frame(path);
+void Watcher::end(const StagePlace& place, const Artifact& result) {
+  Frame* frame = open_frame(place);
   if (frame == nullptr) return;
   if (const auto* pair = std::get_if<const ImagePair*>(&result)) {
     images_returned(*frame, **pair);
@@ -77,9 +77,9 @@ void Watcher::end(const std::string& path, const Artifact& result) {
 }
 
 void Watcher::images_returned(const Frame& frame, const ImagePair& result) {
-  if (frame.pair == nullptr || frame.reverse || result.size() != frame.pair->size()) return;
+  if (frame.pair == nullptr || frame.is_reverse() || result.size() != frame.pair->size()) return;
   for (std::size_t i = 0; i < pixels_.size(); ++i) {
-    const cv::Point at = at_level(pixels_[i], size_, result.size());
+    const cv::Point at = place_of(i, frame, result.size());
     const bool left = same_row(frame.pair->base, result.base, at.y);
     const bool right = same_row(frame.pair->match, result.match, at.y);
     std::string text = left && right ? "leaves both images' rows as they are"
@@ -89,15 +89,15 @@ void Watcher::images_returned(const Frame& frame, const ImagePair& result) {
     if (frame.pair->base.is_valid(at.y, at.x) && !result.base.is_valid(at.y, at.x)) {
       text += ", masks this pixel";
     }
-    tell(i, frame, result.size(), Effect::images, text + frame.figures);
+    tell(i, frame, Effect::images, text + frame.figures);
   }
 }
 
 void Watcher::range_returned(const Frame& frame, const DisparityRange& result) {
-  if (frame.reverse || in_reverse_scope(frame.path)) return;
+  if (frame.is_reverse()) return;
   for (std::size_t i = 0; i < pixels_.size(); ++i) {
-    const cv::Point at = at_level(pixels_[i], size_, result.size());
-    tell(i, frame, result.size(), Effect::range, "proposes " + range_text(result.at(at.y, at.x)));
+    const cv::Point at = place_of(i, frame, result.size());
+    tell(i, frame, Effect::range, "proposes " + range_text(result.at(at.y, at.x)));
   }
 }
 
@@ -105,7 +105,7 @@ void Watcher::map_returned(Frame& frame, const DisparityMap& result) {
   const bool same_size = frame.map != nullptr && frame.map->size() == result.size();
   Frame* matcher = matcher_of(frame);
   const bool in_matcher = matcher != nullptr && matcher->size == result.size();
-  Track& here = track(result.size(), frame.reverse);
+  Track& here = track(result.size(), frame.place.level, frame.is_reverse());
   if (in_matcher && frame.sums != nullptr && !same_size) match_of(*matcher);
   follow(frame, here, same_size ? frame.map : nullptr, result);
   if (!in_matcher || frame.sums == nullptr) return;
@@ -125,12 +125,12 @@ void Watcher::map_returned(Frame& frame, const DisparityMap& result) {
 void Watcher::maps_returned(Frame& frame, const MatchResult& result) {
   if (frame.request != nullptr && !frame.holds_matcher) match_of(frame);
   const MatchResult* given = frame.maps;
-  follow(frame, track(result.forward.size(), frame.reverse),
+  follow(frame, track(result.forward.size(), frame.place.level, frame.is_reverse()),
          given != nullptr ? &given->forward : nullptr, result.forward);
   if (!result.reverse) return;
   const bool both = given != nullptr && given->reverse;
-  follow(frame, track(result.reverse->size(), !frame.reverse), both ? &*given->reverse : nullptr,
-         *result.reverse);
+  follow(frame, track(result.reverse->size(), frame.place.level, !frame.is_reverse()),
+         both ? &*given->reverse : nullptr, *result.reverse);
 }
 
 /// Tells what the stage did to each pixel of a map; first what happened to it since the stage
@@ -164,14 +164,13 @@ void Watcher::record(std::size_t i, const Frame& frame, const Track& here,
   if (effect == Effect::unmatched && frame.sums != nullptr && here.match != nullptr) {
     text += rivals_text(here.match->of[i]);
   }
-  events_[i].push_back({frame.path, frame.plugin, scale_of(size_, here.size), here.reverse, effect,
-                        before, after, std::move(text)});
+  events_[i].push_back(
+      {frame.place, here.level, here.reverse, effect, before, after, std::move(text)});
 }
 
-void Watcher::tell(std::size_t i, const Frame& frame, cv::Size size, Effect effect,
-                   std::string text) {
-  events_[i].push_back({frame.path, frame.plugin, scale_of(size_, size), false, effect,
-                        std::nullopt, std::nullopt, std::move(text)});
+void Watcher::tell(std::size_t i, const Frame& frame, Effect effect, std::string text) {
+  events_[i].push_back(
+      {frame.place, frame.place.level, false, effect, std::nullopt, std::nullopt, std::move(text)});
 }
 
 }  // namespace xgm::explain

@@ -5,6 +5,7 @@
 
 #include "metrics/errors.hpp"
 #include "xgm/base/error.hpp"
+#include "xgm/io/scene.hpp"
 
 namespace xgm {
 namespace {
@@ -80,10 +81,6 @@ void require_size(cv::Size size, cv::Size map, const char* what) {
               " x " + std::to_string(map.height) + "; give the " + what + " of the same view");
 }
 
-bool is_judged(const cv::Mat1f& truth, const cv::Mat1b& mask, int y, int x) {
-  return std::isfinite(truth(y, x)) && (mask.empty() || mask(y, x) == kJudged);
-}
-
 double error_at(const DisparityMap& map, const cv::Mat1f& truth, const EvaluationRules& rules,
                 int y, int x) {
   const double found = clipped(static_cast<double>(map.disparity(y, x)), rules.clip);
@@ -94,11 +91,10 @@ Evaluation evaluate(const DisparityMap& map, const cv::Mat1f& truth, const Evalu
                     const cv::Mat1b& mask) {
   require_size(truth.size(), map.size(), "truth");
   if (!mask.empty()) require_size(mask.size(), map.size(), "truth mask");
+  require_judgeable({.disparity = truth, .non_occluded = mask});
   Errors errors = collect(map, truth, rules, mask);
   Evaluation result;
   result.judged = errors.invalid + static_cast<std::int64_t>(errors.values.size());
-  if (result.judged == 0) throw Error("the truth has no pixel to judge by; check file and mask");
-
   const auto share = [&](std::int64_t count) {
     return static_cast<double>(count) / static_cast<double>(result.judged);
   };

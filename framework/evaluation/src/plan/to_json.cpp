@@ -2,7 +2,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "xgm/pipeline/plan.hpp"
+#include "xgm/evaluation/plan_json.hpp"
 
 namespace xgm {
 namespace {
@@ -10,9 +10,13 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json stage_json(const PlannedStage& stage) {
-  return {{"stage", stage.path},
-          {"kind", stage.kind},
-          {"plugin", stage.plugin},
+  const StagePlace& place = stage.place;
+  return {{"stage", place.path},
+          {"kind", place.kind},
+          {"plugin", place.plugin},
+          {"level", place.level.name.empty() ? Json() : Json(place.level.name)},
+          {"scale", place.level.scale},
+          {"view", to_string(place.view)},
           {"width", stage.load.size.width},
           {"height", stage.load.size.height},
           {"cells_per_pixel", stage.load.cells_per_pixel},
@@ -37,9 +41,8 @@ std::string to_json(const RunPlan& plan, const PlanRequest& request) {
       {"peak_stage", plan.peak_stage},
       {"seconds", plan.seconds},
       {"estimated", plan.estimated}};
-  if (request.experience.narrowing) {
-    json["narrowing"] = {{"spread", request.experience.narrowing->spread},
-                         {"lost", request.experience.narrowing->lost}};
+  if (plan.narrowing) {
+    json["narrowing"] = {{"spread", plan.narrowing->spread}, {"lost", plan.narrowing->lost}};
   }
   json["stages"] = Json::array();
   for (const PlannedStage& stage : plan.stages) json["stages"].push_back(stage_json(stage));

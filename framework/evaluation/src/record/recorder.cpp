@@ -9,37 +9,34 @@ namespace {
 /// The latest call of the stage at `path`; null if there was none.
 StageRecord* latest(std::vector<StageRecord>& stages, const std::string& path, bool unfinished) {
   const auto found = std::find_if(stages.rbegin(), stages.rend(), [&](const StageRecord& stage) {
-    return stage.path == path && !(unfinished && stage.finished);
+    return stage.place.path == path && !(unfinished && stage.finished);
   });
   return found == stages.rend() ? nullptr : &*found;
 }
 
+StageRecord& add(std::vector<StageRecord>& stages, const StagePlace& place) {
+  StageRecord& stage = stages.emplace_back();
+  stage.place = place;
+  stage.place.stage = nullptr;
+  return stage;
+}
+
 }  // namespace
 
-void RunRecorder::log(LogLevel level, const std::string& stage_path, const std::string& text) {
-  if (level != LogLevel::warning) return;
-  warnings_.push_back(stage_path.empty() ? text : stage_path + ": " + text);
-}
+void RunRecorder::stage_begin(const StagePlace& place) { add(stages_, place); }
 
-void RunRecorder::stage_begin(const std::string& stage_path, const std::string& plugin) {
-  stages_.push_back({stage_path, plugin, {}, false, {}});
-}
-
-void RunRecorder::stage_end(const std::string& stage_path, const StageStatistics& statistics,
+void RunRecorder::stage_end(const StagePlace& place, const StageStatistics& statistics,
                             const Artifact&) {
-  StageRecord* stage = latest(stages_, stage_path, true);
+  StageRecord* stage = latest(stages_, place.path, true);
   if (stage == nullptr) return;
   stage->statistics = statistics;
   stage->finished = true;
 }
 
-void RunRecorder::report(const std::string& stage_path, const std::string& name, double value) {
-  StageRecord* stage = latest(stages_, stage_path, false);
-  if (stage == nullptr) {
-    // Told from inside a scope that is no stage of its own: kept under the scope's path.
-    stage = &stages_.emplace_back();
-    stage->path = stage_path;
-  }
+void RunRecorder::figure(const StagePlace& place, const std::string& name, double value) {
+  StageRecord* stage = latest(stages_, place.path, false);
+  // Told from inside a scope that is no stage of its own: kept under the scope's path.
+  if (stage == nullptr) stage = &add(stages_, place);
   stage->figures.emplace_back(name, value);
 }
 

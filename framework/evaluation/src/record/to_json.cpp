@@ -25,7 +25,16 @@ Json versions() {
 Json stages(const RunRecord& record) {
   Json list = Json::array();
   for (const StageRecord& stage : record.stages) {
-    Json entry = {{"stage", stage.path}, {"plugin", stage.plugin}};
+    const StagePlace& place = stage.place;
+    Json entry = {{"stage", place.path},
+                  {"kind", place.kind},
+                  {"plugin", place.plugin},
+                  {"depth", place.depth},
+                  {"view", to_string(place.view)}};
+    if (!place.level.name.empty()) {
+      entry["level"] = {
+          {"name", place.level.name}, {"scale", place.level.scale}, {"path", place.level.path}};
+    }
     if (stage.finished) {
       entry["seconds"] = stage.statistics.seconds;
       entry["bytes"] = stage.statistics.bytes;

@@ -7,17 +7,18 @@
 #include "report/pictures.hpp"
 #include "report/record_html.hpp"
 #include "report/stages_html.hpp"
+#include "xgm/base/text.hpp"
 
 namespace xgm::report {
 namespace {
 
-std::string scale_text(int scale) {
-  return scale == 1 ? "full size" : "1/" + std::to_string(scale);
+std::string scale_text(double scale) {
+  return scale == 1 ? "full size" : "1/" + short_number(scale);
 }
 
 /// A cost of one level: what it searched, what it found and what it took.
 Row row_of(const ReportLevel& level, const Json& record) {
-  Row row{scale_text(level.scale),
+  Row row{scale_text(level.level.scale),
           std::to_string(level.map.size().width) + " × " + std::to_string(level.map.size().height)};
   if (level.range) {
     const Interval hull = level.range->hull();
@@ -28,14 +29,14 @@ Row row_of(const ReportLevel& level, const Json& record) {
     row.insert(row.end(), 2, "–");
   }
   row.push_back(percent(level.map.density()));
-  row.push_back(seconds(seconds_of(record, level.stage_path + ".matcher")));
+  row.push_back(seconds(seconds_of(record, level.matcher_path)));
   return row;
 }
 
 std::string disparity_figure(const ReportLevel& level, const Span& span, const Sampling& sampling) {
-  const Span here{span.low / level.scale, span.high / level.scale};
+  const Span here{span.low / level.level.scale, span.high / level.level.scale};
   const cv::Mat1f values = sampled(level.map.disparity, sampling);
-  return figure({"Disparity, " + scale_text(level.scale),
+  return figure({"Disparity, " + scale_text(level.level.scale),
                  png_uri(in_ramp(values, disparity_ramp(), here)),
                  ramp_legend(disparity_ramp(), here, " px", "none")});
 }
@@ -46,7 +47,7 @@ std::string range_figure(const ReportLevel& level, const Sampling& sampling) {
   cv::minMaxLoc(counts, nullptr, &maximum);
   counts.setTo(std::nanf(""), counts == 0);
   const Span span{0, std::max(1.0, maximum)};
-  return figure({"Disparities searched, " + scale_text(level.scale),
+  return figure({"Disparities searched, " + scale_text(level.level.scale),
                  png_uri(in_ramp(counts, error_ramp(), span)),
                  ramp_legend(error_ramp(), span, "", "nothing to search")});
 }

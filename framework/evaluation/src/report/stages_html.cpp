@@ -15,7 +15,9 @@ namespace {
 
 struct Call {
   std::string path;
+  std::string kind;
   std::string plugin;
+  double depth = 0;    ///< number of stages around
   double seconds = 0;  ///< stages inside included
   double own = 0;      ///< without them
   double bytes = 0;
@@ -28,8 +30,8 @@ std::vector<Call> calls_of(const Json& record) {
   for (const Json& stage : record["stages"]) {
     const double seconds = number_at(stage, "/seconds");
     if (!std::isfinite(seconds)) continue;
-    calls.push_back({text_at(stage, "/stage"), text_at(stage, "/plugin"), seconds, seconds,
-                     number_at(stage, "/bytes")});
+    calls.push_back({text_at(stage, "/stage"), text_at(stage, "/kind"), text_at(stage, "/plugin"),
+                     number_at(stage, "/depth"), seconds, seconds, number_at(stage, "/bytes")});
   }
   return calls;
 }
@@ -38,21 +40,15 @@ std::vector<Call> calls_of(const Json& record) {
 void find_own_times(std::vector<Call>& calls) {
   std::vector<Call*> open;
   for (Call& call : calls) {
-    while (!open.empty() && !call.path.starts_with(open.back()->path + ".")) open.pop_back();
+    while (!open.empty() && open.back()->depth >= call.depth) open.pop_back();
     if (!open.empty()) open.back()->own -= call.seconds;
     open.push_back(&call);
   }
   for (Call& call : calls) call.own = std::max(0.0, call.own);
 }
 
-/// "matcher.s4.matcher.filters[1]": "filters"
-std::string role_of(const std::string& path) {
-  const std::string last = path.substr(path.rfind('.') + 1);
-  return last.substr(0, last.find('['));
-}
-
 struct Group {
-  std::string plugin, role;
+  std::string kind, plugin;
   int calls = 0;
   double own = 0;
   double max_bytes = 0;
@@ -61,11 +57,10 @@ struct Group {
 std::vector<Group> groups_of(const std::vector<Call>& calls) {
   std::vector<Group> groups;
   for (const Call& call : calls) {
-    const std::string role = role_of(call.path);
     auto group = std::find_if(groups.begin(), groups.end(), [&](const Group& known) {
-      return known.plugin == call.plugin && known.role == role;
+      return known.plugin == call.plugin && known.kind == call.kind;
     });
-    if (group == groups.end()) group = groups.insert(groups.end(), Group{call.plugin, role});
+    if (group == groups.end()) group = groups.insert(groups.end(), Group{call.kind, call.plugin});
     ++group->calls;
     group->own += call.own;
     if (call.bytes > group->max_bytes) group->max_bytes = call.bytes;
@@ -86,7 +81,7 @@ std::string by_plugin(const std::vector<Group>& groups) {
   std::vector<Row> rows;
   for (const Group& group : groups) {
     const double share = sum > 0 ? group.own / sum : 0;
-    rows.push_back({html_text(group.plugin) + " <small>" + html_text(group.role) + "</small>",
+    rows.push_back({html_text(group.plugin) + " <small>" + html_text(group.kind) + "</small>",
                     seconds(group.own) + bar(share), std::to_string(group.calls),
                     megabytes(group.max_bytes)});
   }

@@ -19,7 +19,7 @@ Json classes_json(const std::vector<Class>& classes) {
 }
 
 /// Where the shown pixels of a map lie in the scene.
-Json grid(const Sampling& sampling, int scale) {
+Json grid(const Sampling& sampling, double scale) {
   return {{"width", sampling.full.width},
           {"height", sampling.full.height},
           {"stride", sampling.stride},
@@ -28,7 +28,7 @@ Json grid(const Sampling& sampling, int scale) {
 
 Json level_json(const ReportLevel& level, double pixels) {
   const Sampling sampling = Sampling::within(level.map.size(), pixels / 2);
-  Json json = {{"grid", grid(sampling, level.scale)},
+  Json json = {{"grid", grid(sampling, level.level.scale)},
                {"disparity", packed_numbers(sampled(level.map.disparity, sampling))},
                {"status", packed_codes(sampled(level.map.status, sampling))}};
   if (level.range) {

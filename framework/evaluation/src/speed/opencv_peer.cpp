@@ -55,7 +55,7 @@ OpenCvPeer::OpenCvPeer(const ImagePair& pair, Interval disparities)
       right_(to_8bit_grey(pair.match)),
       searched_{disparities.begin, disparities.begin + (disparities.size() + 15) / 16 * 16} {}
 
-RunSeconds OpenCvPeer::run(const std::string& mode, int threads) const {
+RunSeconds OpenCvPeer::run(const std::string& mode) const {
   // It holds sixteenths of a pixel in 16 bits, and matches only pixels that have all disparities.
   if (searched_.begin <= -2048 || searched_.end > 2047) {
     throw Error("knows disparities from -2047 to 2046 only");
@@ -69,15 +69,10 @@ RunSeconds OpenCvPeer::run(const std::string& mode, int threads) const {
   const auto matcher = cv::StereoSGBM::create(searched_.begin, searched_.size(), kBlock,
                                               8 * kBlock * kBlock, 32 * kBlock * kBlock, kCheck,
                                               kPreFilterCap, 0, 0, 0, find_mode(mode).value);
-  const int before = cv::getNumThreads();
-  // OpenCV's scheduler complains of more threads than there are processors.
-  cv::setNumThreads(std::min(threads, cv::getNumberOfCPUs()));
   cv::Mat disparities;
   const Clocks clocks;
   matcher->compute(left_, right_, disparities);
-  const RunSeconds seconds = clocks.seconds();
-  cv::setNumThreads(before);
-  return seconds;
+  return clocks.seconds();
 }
 
 std::string peer_name(const std::string& mode) { return find_mode(mode).title; }

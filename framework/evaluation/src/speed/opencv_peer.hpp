@@ -16,7 +16,7 @@ class OpenCvPeer {
 
   /// Times one run of a mode. Throws Error if this mode is not known, the disparities are none
   /// that OpenCV knows, or it fails.
-  RunSeconds run(const std::string& mode, int threads) const;
+  RunSeconds run(const std::string& mode) const;
 
  private:
   cv::Mat1b left_, right_;

@@ -13,18 +13,6 @@
 namespace xgm {
 namespace {
 
-/// The SIMD target that was in use is so again afterwards.
-class SimdRestored {
- public:
-  SimdRestored() = default;
-  ~SimdRestored() { use_simd(before_); }
-  SimdRestored(const SimdRestored&) = delete;
-  SimdRestored& operator=(const SimdRestored&) = delete;
-
- private:
-  std::string before_ = simd_target();
-};
-
 void add_run(SpeedTimes& times, const RunSeconds& seconds) {
   times.seconds.push_back(seconds.wall);
   times.cpu_seconds.push_back(seconds.cpu);
@@ -46,21 +34,20 @@ void add_stages(SpeedTimes& times, const speed::StageClock& clock, double second
 
 void run_pipeline(SpeedTimes& times, const Pipeline& pipeline, const MatchRequest& request,
                   int threads) {
-  use_simd(times.simd);
   speed::StageClock clock;
   const speed::Clocks clocks;
-  const MatchResult result = pipeline.run(request, {.observer = &clock, .threads = threads});
+  const MatchResult result =
+      pipeline.run(request, {.observer = &clock, .threads = threads, .simd = times.simd});
   const RunSeconds seconds = clocks.seconds();
   add_run(times, seconds);
   add_stages(times, clock, seconds.wall);
 }
 
 /// That a peer cannot do what is asked is worth a note, not the end of the race.
-void run_peer(SpeedTimes& times, const std::string& mode, const speed::OpenCvPeer& peer,
-              int threads) {
+void run_peer(SpeedTimes& times, const std::string& mode, const speed::OpenCvPeer& peer) {
   if (!times.failure.empty()) return;
   try {
-    add_run(times, peer.run(mode, threads));
+    add_run(times, peer.run(mode));
   } catch (const Error& error) {
     times.failure = error.message();
   } catch (const std::exception& error) {
@@ -75,12 +62,11 @@ SpeedResult time_pipelines(const SpeedPlan& plan, const MatchRequest& request,
   if (!request.range.is_uniform()) {
     throw Error("times are compared for one interval of the whole image; give no range maps");
   }
-  const SimdRestored restored;
   SpeedResult result{plan, request.pair.size(), request.range.hull(), {}};
   std::vector<std::function<void(SpeedTimes&)>> runs;
   for (const SpeedPipeline& pipeline : plan.pipelines) {
     for (const std::string& target : plan.simd) {
-      use_simd(target);  // throws before anything is timed
+      const SimdChoice known(target);  // throws before anything is timed
       result.times.push_back({pipeline.name, target});
       runs.emplace_back([&](SpeedTimes& times) {
         run_pipeline(times, pipeline.pipeline, request, plan.threads);
@@ -90,7 +76,7 @@ SpeedResult time_pipelines(const SpeedPlan& plan, const MatchRequest& request,
   const speed::OpenCvPeer peer(request.pair, request.range.hull());
   for (const std::string& mode : plan.peers) {
     result.times.push_back({speed::peer_name(mode), ""});
-    runs.emplace_back([&](SpeedTimes& times) { run_peer(times, mode, peer, plan.threads); });
+    runs.emplace_back([&](SpeedTimes& times) { run_peer(times, mode, peer); });
   }
   const BufferReuse
       reuse;  // as where many pairs are matched: rounds do not begin by getting memory

@@ -5,20 +5,17 @@
 
 namespace xgm::speed {
 
-std::string stage_name(const std::string& path, const std::string& plugin) {
-  const std::string slot = path.substr(path.rfind('.') + 1);
-  return slot.substr(0, slot.find('[')) + ' ' + plugin;
-}
+std::string stage_name(const StagePlace& place) { return place.kind + ' ' + place.plugin; }
 
-void StageClock::stage_begin(const std::string& stage_path, const std::string& plugin) {
-  const std::string name = stage_name(stage_path, plugin);
+void StageClock::stage_begin(const StagePlace& place) {
+  const std::string name = stage_name(place);
   const auto found = std::find_if(totals_.begin(), totals_.end(),
                                   [&](const Total& total) { return total.stage == name; });
   open_.push_back({static_cast<std::size_t>(found - totals_.begin())});
   if (found == totals_.end()) totals_.push_back({name});
 }
 
-void StageClock::stage_end(const std::string&, const StageStatistics& statistics, const Artifact&) {
+void StageClock::stage_end(const StagePlace&, const StageStatistics& statistics, const Artifact&) {
   const Open ended = open_.back();
   open_.pop_back();
   totals_[ended.total].seconds += statistics.seconds - ended.inside;

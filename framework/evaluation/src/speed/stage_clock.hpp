@@ -10,9 +10,8 @@
 
 namespace xgm::speed {
 
-/// "aggregation sgm" of the stage at "matcher.level_1.matcher.forward.aggregation": the slot,
-/// without its place in a list, and the plugin in it.
-XGM_API std::string stage_name(const std::string& path, const std::string& plugin);
+/// "aggregation sgm": kind and plugin.
+XGM_API std::string stage_name(const StagePlace& place);
 
 /// Stages of one name are one, whatever the level and view. The time of a stage does not hold that
 /// of the stages inside.
@@ -23,8 +22,8 @@ class XGM_API StageClock final : public Observer {
     double seconds = 0;
   };
 
-  void stage_begin(const std::string& stage_path, const std::string& plugin) override;
-  void stage_end(const std::string& stage_path, const StageStatistics& statistics,
+  void stage_begin(const StagePlace& place) override;
+  void stage_end(const StagePlace& place, const StageStatistics& statistics,
                  const Artifact& result) override;
 
   /// In the order in which they began for the first time.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one exception type for failures while a pipeline runs.
+// What is thrown: failures of a run, that it was cancelled, and mistakes of the caller that are
+// found before it.
 #pragma once
 
 #include <stdexcept>
@@ -23,6 +24,21 @@ class XGM_API Error : public std::runtime_error {
  private:
   std::string stage_path_;
   std::string message_;
+};
+
+/// A run that was ended from outside, see RunOptions::stop: no failure of a stage, so it has no
+/// path.
+class XGM_API Cancelled : public Error {
+ public:
+  Cancelled();
+};
+
+/// A mistake of the caller, found before any work: a name that does not exist, a file that is
+/// missing, values that contradict each other. Programs tell it from a run that failed (the command
+/// line returns 2 instead of 1).
+class XGM_API UsageError : public Error {
+ public:
+  explicit UsageError(const std::string& message);
 };
 
 }  // namespace xgm

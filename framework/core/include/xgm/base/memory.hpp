@@ -26,7 +26,8 @@ XGM_API void trim_heap();
 
 /// From here on, asking for more than `bytes` in addition to what is held fails with
 /// std::bad_alloc. Without such a limit the system would grant any wish, and end the process
-/// without a word when the memory is touched.
+/// without a word when the memory is touched. It holds for the whole process, all of its runs and
+/// threads: for programs, not for libraries and plugins.
 XGM_API void limit_memory(std::uint64_t bytes);
 
 }  // namespace xgm

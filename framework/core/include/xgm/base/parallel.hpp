@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Loops over independent work. Results never depend on the number of threads.
+// Loops over independent work. Results never depend on the number of threads. All that belongs to
+// the calling thread's run (SIMD target, memory, cancelling) holds for the threads of a loop, too.
 #pragma once
 
 #include <functional>
@@ -8,7 +9,8 @@
 
 namespace xgm {
 
-/// Number of threads that the loops below use. Set per run by the pipeline.
+/// Number of threads that the loops below use when the calling thread calls them: that of its run,
+/// else all processors. Within a loop, further loops have one thread.
 XGM_API int thread_count();
 
 /// Sets thread_count() of the calling thread for as long as it lives; 0 leaves it as it is.
@@ -24,7 +26,8 @@ class XGM_API ThreadLimit {
 };
 
 /// Calls body(i) once for every i in [begin, end), in any order, on thread_count() threads.
-/// The exception of the smallest failing i is rethrown after all threads have stopped.
+/// The exception of the smallest failing i is rethrown after all threads have stopped. Throws
+/// Cancelled, also without having called body for every i, if the run is cancelled.
 XGM_API void parallel_for(int begin, int end, const std::function<void(int)>& body);
 
 /// Pixels [first, last) of a line that a front of opposed_wavefronts() has come to.
@@ -44,7 +47,8 @@ struct Stretch {
 /// are at: with n threads a ring of n / 2 + 1 + k lines is enough for a body that looks k lines
 /// back. No line is in work in both fronts at once: the one that comes later waits. So two threads
 /// have a front each, and neither needs what the other one has just written. Exceptions in `body`
-/// end the process: it must not throw.
+/// end the process: it must not throw. Throws Cancelled, without having come to the end, if the run
+/// is cancelled.
 XGM_API void opposed_wavefronts(int lines, int length, int lag,
                                 const std::function<void(const Stretch&)>& body);
 

@@ -2,6 +2,7 @@
 // Which vector instructions the kernels use. They give the same results with all of them.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,16 +11,29 @@
 
 namespace xgm {
 
+struct RunChange;
+
 /// The instruction sets that kernels can use on this processor, best first. x86: "avx512_dl" (Ice
 /// Lake, Zen 4), "avx512" (Skylake-X), "avx2" (Haswell, Zen), "sse4"; ARM: "neon"; "scalar" is code
 /// without vector instructions of its own, and the reference of all others.
 XGM_API std::vector<std::string> simd_targets();
 
-/// The one in use: the best, unless use_simd() has said another.
+/// The one that kernels use when the calling thread calls them: the best, unless a SimdChoice says
+/// another.
 XGM_API std::string simd_target();
 
-/// From here on kernels use this one of simd_targets(), or the best if it is empty. Not to be
-/// called while kernels run. Throws Error if this processor does not have it.
-XGM_API void use_simd(std::string_view target);
+/// While one lives, kernels that the calling thread calls, and the threads of its loops, use
+/// `target`, one of simd_targets(). If it is empty, nothing changes.
+class XGM_API SimdChoice {
+ public:
+  /// Throws Error if this processor does not have it.
+  explicit SimdChoice(std::string_view target);
+  ~SimdChoice();
+  SimdChoice(const SimdChoice&) = delete;
+  SimdChoice& operator=(const SimdChoice&) = delete;
+
+ private:
+  std::unique_ptr<RunChange> change_;
+};
 
 }  // namespace xgm

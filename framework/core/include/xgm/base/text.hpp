@@ -14,4 +14,7 @@ XGM_API std::string short_number(double value);
 /// With so many decimals. A zero has no sign.
 XGM_API std::string fixed_number(double value, int decimals);
 
+/// "2.50 GB", "800 MB"
+XGM_API std::string bytes_text(double bytes);
+
 }  // namespace xgm

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is wrong with a configuration: where, what, and what to do about it.
+// Diagnostics: mistakes in a configuration, each with its place and a remedy.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace xgm {
 
-/// Place in a file; line and column count from 1, 0 if unknown. `file` may also name the command
-/// line.
+/// A place in a file. Line and column are counted from 1; 0 if unknown. `file` may also name the
+/// command line.
 struct Location {
   std::string file;
   int line = 0;
@@ -27,5 +27,7 @@ using Diagnostics = std::vector<Diagnostic>;
 
 /// "file:line:column: error: message; remedy"
 XGM_API std::string to_string(const Diagnostic& diagnostic);
+/// All of them, a line each; no line end after the last.
+XGM_API std::string to_string(const Diagnostics& diagnostics);
 
 }  // namespace xgm

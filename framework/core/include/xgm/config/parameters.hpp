@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a plugin declares its parameters: once. Binding, errors, help, schema and docs come from it.
+// Declaration of the parameters of a plugin. Binding, errors, help, schema and docs are derived
+// from it.
 #pragma once
 
 #include <functional>
@@ -17,7 +18,7 @@
 
 namespace xgm {
 
-/// An enumeration seen by its names.
+/// Access to an enumeration by the names of its values.
 struct Choice {
   std::vector<std::string> names;
   std::function<std::size_t()> get;
@@ -37,24 +38,24 @@ struct XGM_API Field {
   std::optional<double> maximum;  ///< inclusive
   bool only_odd = false;
   bool is_optional = false;        ///< a stage that may be left out
-  std::string default_stage_name;  ///< the plugin a stage field uses when left out
+  std::string default_stage_name;  ///< plugin of a stage field that is left out
 
   Field& unit(std::string name);
-  Field& range(double low, double high);  ///< both ends allowed; for lists: of each element
+  Field& range(double low, double high);  ///< inclusive; for lists: of each element
   Field& odd();                           ///< integer must be odd
   Field& optional();                      ///< stage fields: may be absent
   Field& default_stage(std::string plugin);
 };
 
 /// A relation between parameters ("must not be below p1"), checked after all fields are bound, if
-/// those that it is about are sound. The message is shown at the first of `fields`, after its name.
+/// the fields it names are valid. The message is shown at the first of `fields`, after its name.
 struct Rule {
   std::vector<std::string> fields;
   std::string message;
   std::function<bool()> holds;
 };
 
-/// What describe() fills: fields and rules that refer to one Parameters struct.
+/// The fields and rules of one Parameters struct, filled in by describe().
 class XGM_API ParameterSet {
  public:
   Field& add(std::string name, bool& target, std::string text);
@@ -83,8 +84,8 @@ class XGM_API ParameterSet {
     return add_field(std::move(name), std::move(text), std::move(choice));
   }
 
-  /// `holds` may use the fields named, and no others: they are bound and in range when it is called
-  /// (a stage that is neither optional nor faulty is there).
+  /// `holds` may use the named fields only. When it is called, these are bound and in range, and
+  /// stages that are not optional are present.
   ///   set.rule({"p2", "p1"}, "must not be below p1", [&p] { return p.p2 >= p.p1; });
   void rule(std::initializer_list<std::string_view> fields, std::string message,
             std::function<bool()> holds);
@@ -95,7 +96,7 @@ class XGM_API ParameterSet {
  private:
   Field& add_field(std::string name, std::string text, Field::Target target);
 
-  std::list<Field> fields_;  // a list: references to fields stay good
+  std::list<Field> fields_;  // a list, so that references to fields remain valid
   std::vector<Rule> rules_;
 };
 

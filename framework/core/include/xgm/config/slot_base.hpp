@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A place for a stage inside another stage's parameters, as the YAML binder sees it.
+// A slot: a place for a stage among the parameters of another stage, as the binder uses it.
 #pragma once
 
 #include <memory>
@@ -17,8 +17,8 @@ class XGM_API SlotBase {
   virtual ~SlotBase();
   /// Name of the kind of stage that fits ("cost", "filter", ...).
   virtual std::string_view kind() const = 0;
-  /// Puts a stage in. False if it is of another kind. `plugin` is its name, `field` the name of
-  /// this place ("cost", "filters[1]").
+  /// Puts a stage into the slot. Returns false if it is of another kind. `plugin` is the name of
+  /// its plugin, `field` the name of the slot ("cost", "filters[1]").
   virtual bool assign(std::shared_ptr<const Stage> stage, std::string plugin,
                       std::string field) = 0;
 };

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cameras of a rectified pair, as far as depth needs them.
+// The parameters of a rectified camera pair that are needed to compute depths.
 #pragma once
 
 namespace xgm {
 
-/// A pixel (x, y) of the left image with disparity d lies at Z = baseline * focal / (d + doffs),
-/// X = (x - cx) * Z / focal, Y = (y - cy) * Z / focal: right, down and forward of the left camera,
-/// in the baseline's unit.
+/// The point of pixel (x, y) of the left image with disparity d is Z = baseline * focal / (d +
+/// doffs), X = (x - cx) * Z / focal, Y = (y - cy) * Z / focal, in the unit of the baseline, from
+/// the left camera: X to the right, Y down, Z forward.
 struct Calibration {
   double focal = 0;     ///< px
   double cx = 0;        ///< principal point of the left camera, px

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A disparity per pixel, and why a pixel has none.
+// A disparity map: a disparity and a status per pixel.
 #pragma once
 
 #include <cstdint>
@@ -10,20 +10,20 @@
 
 namespace xgm {
 
-/// Why a pixel has its disparity, or has none.
+/// Why a pixel has its disparity, or why it has none.
 enum class Status : std::uint8_t {
   matched,       ///< has the disparity that the matcher found
   filled,        ///< has a disparity that was interpolated, not matched
   masked,        ///< no image data at this pixel
-  out_of_range,  ///< no disparity of the search range can be matched here
+  out_of_range,  ///< no disparity in the search range can be matched here
   ambiguous,     ///< the best disparity is not clearly better than the others
-  occluded,      ///< fails the consistency check; hidden in the other view
-  mismatched,    ///< fails the consistency check, though visible in the other view
+  occluded,      ///< failed the consistency check; hidden in the other view
+  mismatched,    ///< failed the consistency check, although visible in the other view
   peak,          ///< belonged to a segment too small to be trusted
 };
 inline constexpr int kStatusCount = 8;
 
-/// As files and pictures call it: "valid" (matched), "filled", ...
+/// The name in files and pictures: "valid" (matched), "filled", ...
 XGM_API std::string_view to_string(Status status);
 
 /// Whether pixels of this status have a disparity.
@@ -31,8 +31,8 @@ constexpr bool has_disparity(Status status) {
   return status == Status::matched || status == Status::filled;
 }
 
-/// Disparities in pixels, NaN where there is none, with a status per pixel that says why.
-/// Invariant: the disparity is finite exactly where has_disparity(status).
+/// Disparities in pixels, NaN where a pixel has none, and a status per pixel that says why.
+/// Invariant: a disparity is finite if and only if has_disparity(status).
 class XGM_API DisparityMap {
  public:
   DisparityMap() = default;
@@ -46,7 +46,7 @@ class XGM_API DisparityMap {
     disparity(y, x) = value;
     status(y, x) = static_cast<std::uint8_t>(why);
   }
-  /// Takes the disparity away and says why.
+  /// Removes the disparity; `why` is the reason.
   void invalidate(int y, int x, Status why);
   /// Share of pixels that have a disparity, 0 to 1 (0 for an empty map).
   double density() const;

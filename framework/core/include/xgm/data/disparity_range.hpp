@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which disparities are searched: one interval for the image, or one per pixel.
+// The disparities to search: one interval for the whole image, or one per pixel.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 
 namespace xgm {
 
-/// Half-open interval [begin, end) of integer disparities in pixels. Empty means: nothing to
-/// search.
+/// Half-open interval [begin, end) of integer disparities in pixels. If it is empty, there is
+/// nothing to search.
 struct Interval {
   int begin = 0;
   int end = 0;
@@ -22,13 +22,13 @@ struct Interval {
   friend bool operator==(const Interval&, const Interval&) = default;
 };
 
-/// Both intervals at once; empty (as {0, 0}) if they do not meet.
+/// The intersection; empty ({0, 0}) if the intervals are disjoint.
 inline Interval intersect(Interval a, Interval b) {
   const Interval both{std::max(a.begin, b.begin), std::min(a.end, b.end)};
   return both.empty() ? Interval{} : both;
 }
 
-/// The smallest interval that holds both; an empty one adds nothing.
+/// The smallest interval that contains both. An empty interval is ignored.
 inline Interval unite(Interval a, Interval b) {
   if (a.empty()) return b;
   if (b.empty()) return a;
@@ -43,8 +43,8 @@ class XGM_API DisparityRange {
   static DisparityRange uniform(cv::Size size, Interval interval);
   /// One interval per pixel: [begin(p), end(p)). Both maps have the same size.
   DisparityRange(cv::Mat1i begin, cv::Mat1i end);
-  /// The interval at(y, x) for each pixel, rows on thread_count() threads. What `at` throws for the
-  /// first pixel that it throws for is thrown.
+  /// The interval at(y, x) for each pixel; rows are computed on thread_count() threads. If `at`
+  /// throws, the exception of the first such pixel is rethrown.
   template <class At>
   static DisparityRange of_pixels(cv::Size size, const At& at) {
     cv::Mat1i begin(size), end(size);
@@ -63,11 +63,15 @@ class XGM_API DisparityRange {
   Interval at(int y, int x) const {
     return is_uniform() ? hull_ : Interval{begin_(y, x), end_(y, x)};
   }
-  /// Smallest interval that holds every pixel's.
+  /// Smallest interval that contains the intervals of all pixels.
   Interval hull() const { return hull_; }
+  /// Of the maps; 0 for a uniform range.
+  std::size_t bytes() const { return begin_.total() * 2 * sizeof(int); }
+  /// Where the maps lie: equal for ranges that share them; null for a uniform range.
+  const void* data() const { return begin_.data; }
 
   /// The range of the reverse map: pixel x' of the match image may take -d if some base pixel
-  /// x = x' + d may take d. Per-pixel ranges become the hull of what points at each match pixel.
+  /// x = x' + d may take d. With per-pixel ranges, each match pixel gets the hull of these.
   DisparityRange reversed() const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a matcher is asked, and what it answers.
+// The input and the result of a matcher.
 #pragma once
 
 #include <optional>
@@ -10,16 +10,17 @@
 
 namespace xgm {
 
-/// Match `pair` within `range` (of the base view). `reverse_range` is the range of the match view
-/// for matchers that also compute the reverse map; without it they use range.reversed().
+/// A pair to match, and the range to search for its base view. `reverse_range` is the range of the
+/// match view, for matchers that also compute the reverse map; without it, they use
+/// range.reversed().
 struct MatchRequest {
   ImagePair pair;
   DisparityRange range;
   std::optional<DisparityRange> reverse_range;
 };
 
-/// `forward` is the map of the base view, `reverse` that of the match view (its disparities are the
-/// negatives: the formula x_other = x - d holds for both).
+/// `forward` is the map of the base view, `reverse` the map of the match view. x_other = x - d
+/// holds for both, so their disparities have opposite signs.
 struct MatchResult {
   DisparityMap forward;
   std::optional<DisparityMap> reverse;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is known of a scene before any of its images is opened.
+// The files of a scene, and what is known of it before an image is opened.
 #pragma once
 
 #include <optional>
@@ -13,43 +13,45 @@ namespace xgm {
 
 /// Files of a pair. Masks may be left empty.
 struct PairFiles {
-  std::string left;
-  std::string right;
-  std::string left_mask;  ///< non-zero where the left image may be used
-  std::string right_mask;
+  std::string left{};
+  std::string right{};
+  std::string left_mask{};  ///< nonzero where the left image may be used
+  std::string right_mask{};
 };
 
-/// Disparities on disk: PFM (px, not finite = none), or an image of 8 or 16 bit (0 = none). In px:
-/// value / divisor, negative for reverse maps that are stored as positive numbers. Divisor 0 = not
-/// said: whole numbers are refused, floats divided by 1 (reverse: by -1).
+/// Disparities in a file: PFM (px, not finite = none), or an 8- or 16-bit image (0 = none). A
+/// disparity in px is value / divisor; the divisor is negative for reverse maps that are stored as
+/// positive numbers. Divisor 0 means unknown: whole numbers are refused, and floats are divided by
+/// 1 (reverse: by -1).
 struct DisparityFile {
-  std::string file;  ///< empty: there is none
+  std::string file{};  ///< empty if there is none
   double divisor = 1;
 };
 
-/// Truth of a scene; files may be empty.
+/// Files of the ground truth of a scene. Each may be missing (empty).
 struct TruthFiles {
-  DisparityFile disparity;   ///< of the left view, hidden pixels included where they are known
-  DisparityFile reverse;     ///< of the right view
-  DisparityFile visible;     ///< of the left view, without the pixels hidden in the right (KITTI)
-  std::string non_occluded;  ///< mask: 255 where a left pixel is seen in the right image, too
-  std::string objects;       ///< KITTI's object map: 0 = background
+  DisparityFile disparity{};   ///< of the left view, including hidden pixels if known
+  DisparityFile reverse{};     ///< of the right view
+  DisparityFile visible{};     ///< of the left view, without the pixels hidden in the right (KITTI)
+  std::string non_occluded{};  ///< mask: 255 where a left pixel is visible in the right image
+  std::string objects{};       ///< KITTI's object map: 0 = background
 };
 
 /// A scene of a data set.
 struct SceneFiles {
-  std::string name;     ///< "Motorcycle", unique in its data set
-  std::string dataset;  ///< plugin that knows its layout; filled in by find_scenes
-  PairFiles images;
-  TruthFiles truth;
-  std::string calibration_file;  ///< empty if there is none
-  std::optional<Calibration> calibration;
-  std::optional<Interval> disparities;  ///< to be searched, if the data set says so
-  double weight = 1;                    ///< of this scene in the benchmark's averages
-  /// One pixel here is so many of the benchmark's full resolution (4 in Middlebury's trainingQ).
+  std::string name{};     ///< "Motorcycle", unique in its data set
+  std::string dataset{};  ///< plugin that knows its layout; set by find_scenes
+  PairFiles images{};
+  TruthFiles truth{};
+  std::string calibration_file{};  ///< empty if there is none
+  std::optional<Calibration> calibration{};
+  std::optional<Interval> disparities{};  ///< to search, if the data set gives them
+  double weight = 1;                      ///< of this scene in the benchmark's averages
+  /// Size of a pixel in pixels of the benchmark's full resolution (4 in Middlebury's trainingQ).
   double scale = 1;
-  /// What such scenes have and this one lacks, a sentence each: what it is for, where to get it.
-  std::vector<std::string> missing;
+  /// What other scenes of this kind have but this one lacks: one sentence each, with its purpose
+  /// and where to get it.
+  std::vector<std::string> missing{};
 };
 
 }  // namespace xgm

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ragged volumes: each pixel has its own range of disparities; a dense volume is the uniform case.
+// Ragged volumes: each pixel has its own range of disparities. A dense volume is a special case.
 #pragma once
 
 #include <cstdint>
@@ -14,16 +14,16 @@
 
 namespace xgm {
 
-/// Where each pixel's disparities lie in a volume. Immutable; shared by all volumes of one match.
-/// The cells of pixel (y, x) are [offset(y, x), offset(y, x) + count(y, x)), the first one
-/// belonging to disparity begin(y, x); pixels follow in row-major order. Each pixel's slice takes
-/// up room(y, x) cells: kernels that handle kGranule cells at a time never touch another slice.
-/// What the cells behind the count hold has no meaning.
+/// Where the disparities of each pixel lie in a volume. Immutable; shared by all volumes of a
+/// match. The cells of pixel (y, x) are [offset(y, x), offset(y, x) + count(y, x)); the first one
+/// belongs to disparity begin(y, x). Pixels follow in row-major order. The slice of a pixel
+/// occupies room(y, x) cells, so that kernels that handle kGranule cells at a time never touch
+/// another slice. Cells of a slice beyond count(y, x) have no meaning.
 class XGM_API VolumeShape {
  public:
   static constexpr int kGranule = 16;
 
-  /// Pixels for which `valid` is given and zero have no cells.
+  /// If `valid` is given, pixels where it is zero have no cells.
   explicit VolumeShape(const DisparityRange& range, const cv::Mat1b& valid = {});
 
   int width() const { return size_.width; }
@@ -37,18 +37,18 @@ class XGM_API VolumeShape {
   int room(int y, int x) const { return rounded_up(count(y, x)); }
   /// A multiple of kGranule.
   std::int64_t offset(int y, int x) const { return offset(y, slice(y, x)); }
-  /// Sum of room(y, x): what a volume allocates.
+  /// Sum of room(y, x): the number of cells that a volume allocates.
   std::int64_t cells() const { return row_.back(); }
-  /// Largest number of disparities that a pixel has.
+  /// Largest number of disparities of a pixel.
   int max_count() const { return max_count_; }
-  /// Smallest interval that holds every pixel's.
+  /// Smallest interval that contains the intervals of all pixels.
   Interval hull() const { return hull_; }
   std::size_t bytes() const;
 
-  /// All of a pixel at one glance, for loops that visit millions of them.
+  /// The layout of a pixel in one struct, for loops over many pixels.
   struct Slice {
     std::int32_t begin, count;
-    std::uint32_t start;  ///< in granules, from the first one of the row
+    std::uint32_t start;  ///< in granules, from the first granule of the row
   };
   const Slice& slice(int y, int x) const {
     return slices()[static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.width) +
@@ -64,15 +64,15 @@ class XGM_API VolumeShape {
 
   cv::Size size_;
   AlignedBuffer slices_;           // per pixel: a Slice
-  std::vector<std::int64_t> row_;  // per row, plus one: first cell
+  std::vector<std::int64_t> row_;  // first cell of each row, then the number of cells
   int max_count_ = 0;
   Interval hull_;
 };
 
 using VolumeShapePtr = std::shared_ptr<const VolumeShape>;
 
-/// One number per pixel and disparity. Cells are not initialised; the first one is aligned to
-/// kBufferAlignment bytes. Moves, never copies.
+/// One number per pixel and disparity. Cells are not initialised; the first cell is aligned to
+/// kBufferAlignment bytes. Volumes can be moved, not copied.
 template <class Cell>
 class Volume {
  public:
@@ -89,7 +89,7 @@ class Volume {
   /// First cell of a pixel; shape().count(y, x) cells follow.
   Cell* at(int y, int x) { return data() + shape_->offset(y, x); }
   const Cell* at(int y, int x) const { return data() + shape_->offset(y, x); }
-  /// All of a pixel's.
+  /// All cells of a pixel.
   std::span<const Cell> cells(int y, int x) const {
     return {at(y, x), static_cast<std::size_t>(shape_->count(y, x))};
   }
@@ -108,9 +108,9 @@ struct CostVolume : Volume<std::uint8_t> {
   int max_cost;  ///< bound of the cost function itself, not of this image: 0 to 254
 };
 
-/// Sums S(p, d) over the path directions, 16 bit, in units of 2^-fraction_bits of a cost. Each
-/// pixel's sums are correct up to a constant of that pixel (paths are kept small by subtracting
-/// their minimum, which changes no winner).
+/// Sums S(p, d) over the path directions, 16 bit, in units of 2^-fraction_bits of a cost. The sums
+/// of a pixel are correct up to a constant of that pixel: path costs are bounded by subtracting
+/// their minimum, which changes no winner.
 struct AggregatedVolume : Volume<std::uint16_t> {
   AggregatedVolume(VolumeShapePtr shape, int bits)
       : Volume(std::move(shape)), fraction_bits(bits) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes what stages produce while a pipeline runs, for a look inside.
+// Writes the results of chosen stages while a pipeline runs, for inspection.
 #pragma once
 
 #include <map>
@@ -11,8 +11,8 @@
 
 namespace xgm {
 
-/// A file that a dump wrote. Volumes are dense over [first_disparity, ...): the file alone does not
-/// say where it begins.
+/// A file that a dump wrote. Volumes are dense over [first_disparity, ...); the file itself does
+/// not contain the first disparity.
 struct DumpedFile {
   std::string file;
   std::string stage_path;
@@ -27,11 +27,13 @@ struct DumpedFile {
 /// - volumes: <path>.npy, shape (height, width, disparities) over the hull of all ranges, unsigned
 ///   8 or 16 bit, the largest value = no match
 /// A stage that runs again under the same path gets ".2", ".3" and so on.
-class XGM_API Dumper {
+class XGM_API Dumper final : public Observer {
  public:
   Dumper(std::string folder, std::string pattern);
 
   bool wants(const std::string& stage_path) const;
+  void stage_end(const std::string& stage_path, const StageStatistics& statistics,
+                 const Artifact& result) override;
   /// Throws Error if a file cannot be written.
   void write(const std::string& stage_path, const Artifact& result);
   const std::vector<DumpedFile>& files() const { return files_; }

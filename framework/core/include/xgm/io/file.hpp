@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whole files: read with clear errors, written so that nobody ever sees half of one.
+// Reads and writes whole files. Errors are clear, and a file is never visible half-written.
 #pragma once
 
 #include <cstdint>
@@ -12,28 +12,28 @@
 
 namespace xgm {
 
-/// All bytes of a file. Throws Error if it is missing, a folder, unreadable, empty or larger than
-/// `limit`.
+/// The content of a file. Throws Error if the file is missing, a folder, unreadable, empty or
+/// larger than `limit` bytes.
 XGM_API std::string read_file(const std::string& file, std::uint64_t limit = UINT64_MAX);
 
-/// The first bytes of a file, `count` at most. Throws Error like read_file.
+/// The first bytes of a file, at most `count`. Throws Error like read_file.
 XGM_API std::string read_head(const std::string& file, std::size_t count);
 
 /// Writes under a temporary name in the same folder and renames it to `file` once it is complete.
-/// If `write` throws or the disk is full, no file is left and an old one stays as it was. Throws
-/// Error.
+/// If `write` throws or the disk is full, no new file remains and an existing file is unchanged.
+/// Throws Error.
 XGM_API void write_file(const std::string& file, const std::function<void(std::ostream&)>& write);
 XGM_API void write_file(const std::string& file, std::string_view bytes);
 
-/// What a run read, so that its record can be compared with another's.
+/// Identifies a file that a run has read, so that records of runs can be compared.
 struct FileIdentity {
   std::uint64_t bytes = 0;
   std::string fnv1a64;  ///< 16 hexadecimal digits
 };
 
-/// 64-bit FNV-1a (Fowler, Noll, Vo): tells files apart, but is no protection against forgery.
+/// 64-bit FNV-1a (Fowler, Noll, Vo). It distinguishes files, but does not protect against forgery.
 XGM_API std::uint64_t fnv1a64(std::string_view bytes);
-/// Size and hash of a file's content. Throws Error.
+/// Size and hash of the content of a file. Throws Error.
 XGM_API FileIdentity identify_file(const std::string& file);
 
 }  // namespace xgm

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures of results for people.
+// Pictures of results for display.
 #pragma once
 
 #include <array>
@@ -11,18 +11,18 @@
 
 namespace xgm {
 
-/// The map in the colours of "turbo" (blue: far, red: near), black where there is none, with a bar
-/// below that gives pixels to colours. Colours span the 1st to the 99th percentile. The map is at
-/// the top left, pixel for pixel; narrow maps get a margin so that the legend fits.
+/// The map in the colours of "turbo" (blue: far, red: near), black where there is no disparity,
+/// with a colour bar in pixels below. Colours span the 1st to the 99th percentile. The map is at
+/// the top left, unscaled; narrow maps get a margin so that the legend fits.
 XGM_API cv::Mat3b disparity_picture(const DisparityMap& map);
 
-/// The colour of a status in pictures, blue-green-red. Colour-blind readers can tell them apart.
+/// The colour of a status in pictures, blue-green-red. The colours suit colour-blind readers.
 XGM_API cv::Vec3b status_colour(Status status);
 
 /// One colour per status, with a legend of names and shares below.
 XGM_API cv::Mat3b status_picture(const DisparityMap& map);
 
-/// An image's grey levels rounded to 8 bit, pixels without data black.
+/// The grey levels of an image rounded to 8 bit; pixels without data are black.
 XGM_API cv::Mat3b picture(const Image& image);
 
 /// Share of pixels of each status, 0 to 1, indexed by Status.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Portable float maps: how Middlebury and ETH3D store disparities.
+// Portable float maps (PFM), the format of disparities in Middlebury and ETH3D.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -10,15 +10,16 @@
 
 namespace xgm {
 
-/// Reads a PFM of one channel ("Pf"). Rows are stored bottom-up; the sign of the scale tells the
-/// byte order and its magnitude is ignored, as Middlebury means it. Whatever is not finite on disk
-/// (+inf is the convention for "none") becomes NaN. Throws Error for anything but a complete map.
+/// Reads a PFM of one channel ("Pf"). Rows are stored bottom-up. The sign of the scale gives the
+/// byte order; its magnitude is ignored, as in Middlebury. Values that are not finite (+inf stands
+/// for "no disparity") become NaN. Throws Error if the file is not a complete map.
 XGM_API cv::Mat1f read_pfm(const std::string& file);
 
 /// The planes of a PFM: one ("Pf") or three ("PF", here in the order blue, green, red).
 XGM_API std::vector<cv::Mat1f> read_pfm_planes(const std::string& file);
 
-/// Writes a little-endian PFM of one channel, NaN as +inf. Complete or not at all. Throws Error.
+/// Writes a little-endian PFM of one channel, NaN as +inf. The file is complete or absent. Throws
+/// Error.
 XGM_API void write_pfm(const std::string& file, const cv::Mat1f& map);
 
 }  // namespace xgm

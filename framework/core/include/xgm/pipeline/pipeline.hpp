@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The facade: load and check a pipeline, run it. The command line and C++ programs use this.
+// Load and check a pipeline, run it on a pair of images.
 #pragma once
 
 #include <memory>
@@ -13,8 +13,7 @@
 #include "xgm/data/match.hpp"
 #include "xgm/pipeline/run_options.hpp"
 #include "xgm/plugin/registry.hpp"
-#include "xgm/stage/context.hpp"
-#include "xgm/stage/planner.hpp"
+#include "xgm/stage/pipeline.hpp"
 
 namespace xgm {
 
@@ -28,22 +27,27 @@ struct Override {
 /// A checked pipeline, ready to run any number of times.
 class XGM_API Pipeline {
  public:
-  /// Runs preprocess, matcher and postprocess. Throws Error. The result has the request's size.
+  /// Runs preprocess, matcher and postprocess. The result has the request's size. Throws UsageError
+  /// for a request that fits neither itself nor the pipeline, and Error.
   MatchResult run(const MatchRequest& request, const RunOptions& options = {}) const;
 
-  /// Walks through what run() does, and has every stage tell what it needs; see xgm/plan.hpp.
-  void plan(const Workload& load, const Planner& planner) const;
+  /// What the file is: a StereoFamily, or that of another room or plugin file.
+  const Stage& family() const;
 
   /// The disparities that the file itself asks for, if it does.
   std::optional<Interval> disparities() const;
   bool accepts_range_maps() const;
 
+  /// The file that it was loaded from, or the name that was given to its text.
+  const std::string& file() const;
   /// Every parameter with the value it has, defaults included.
   std::string resolved_json() const;
   /// The stages and their parameters as an indented tree for reading.
   std::string graph() const;
 
  private:
+  const StereoFamily* stereo_family() const;
+
   friend struct PipelineLoader;
   struct Impl;
   std::shared_ptr<const Impl> impl_;
@@ -64,19 +68,12 @@ XGM_API LoadedPipeline load_pipeline_text(const std::string& text, const std::st
                                           const std::vector<Override>& overrides = {});
 
 /// Makes one stage from YAML: make_stage("cost", "{type: census, window: 7}", registry). Throws
-/// Error with all diagnostics in its message.
+/// UsageError with all diagnostics in its message.
 XGM_API std::shared_ptr<const Stage> make_stage(std::string_view kind, const std::string& yaml,
                                                 const Registry& registry);
 template <class Kind>
 std::shared_ptr<const Kind> make_stage(const std::string& yaml, const Registry& registry) {
   return std::dynamic_pointer_cast<const Kind>(make_stage(Kind::kKind, yaml, registry));
 }
-
-/// A plugin's parameters with types, units, ranges, defaults and texts.
-XGM_API std::string describe_text(const PluginInfo& plugin);
-XGM_API std::string describe_json(const PluginInfo& plugin);
-XGM_API std::string describe_markdown(const PluginInfo& plugin);
-/// JSON Schema (draft 7) of pipeline files, for editors.
-XGM_API std::string pipeline_schema(const Registry& registry);
 
 }  // namespace xgm

@@ -9,10 +9,17 @@ namespace xgm {
 
 class Observer;
 
+/// Nothing here changes what a run finds, nor anything in other runs of the process.
 struct RunOptions {
   Observer* observer = nullptr;  ///< told of every stage; outlives the run; null: nobody
-  int threads = 0;               ///< 0: all processors
-  std::string simd{};            ///< one of simd_targets(); empty: the best
+  /// At least 1; 0: thread_count() of the calling thread, which is all processors if nobody has
+  /// said otherwise. OpenCV, which some plugins call, has a number of threads of its own, one for
+  /// the process, which a run neither reads nor sets: cv::setNumThreads() is for the program to
+  /// call. No result depends on it.
+  int threads = 0;
+  /// One of simd_targets(); empty: simd_target() of the calling thread, which is the best if nobody
+  /// has said otherwise. Throws Error if this processor does not have it.
+  std::string simd{};
   /// Ends the run from another thread: it throws Cancelled, usually within a tenth of a second.
   std::stop_token stop{};
 };

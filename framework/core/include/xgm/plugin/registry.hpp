@@ -13,6 +13,7 @@
 
 #include "xgm/base/export.hpp"
 #include "xgm/config/parameters.hpp"
+#include "xgm/stage/stage.hpp"
 
 namespace xgm {
 
@@ -41,14 +42,31 @@ struct LoadFailure {
   std::set<std::string> provides;  ///< stages it had named before it failed
 };
 
+/// A kind of stage.
+struct KindInfo {
+  std::string name;
+  std::string meaning;  ///< what its stages do: "picks one disparity per pixel"
+};
+
 class XGM_API Registry {
  public:
-  /// With all plugins that are part of the library.
+  /// With the kinds of the core, and no plugins.
+  Registry();
+  /// With all plugins that are part of the library, too.
   static Registry with_builtins();
+
+  /// Adds kind K: a class that derives from Stage and has K::kKind and K::kMeaning. What is known
+  /// of a kind comes from here; the core lists none of another room or plugin file. Naming one
+  /// twice is no mistake if the meaning is the same, else throws Error.
+  template <class K>
+  void add_kind() {
+    add(KindInfo{std::string(K::kKind), std::string(K::kMeaning)});
+  }
+  void add(KindInfo kind);
 
   /// Adds stage class T under `name`. T derives from a kind, has a struct T::Parameters with
   /// defaults, a static void describe(Parameters&, ParameterSet&) and a constructor T(Parameters).
-  /// Throws Error if the kind has that name already.
+  /// Throws Error if there is no such kind, or if it has that name already.
   template <class T>
   void add(std::string name, std::string summary, std::string publication = {}) {
     add(PluginInfo{
@@ -71,8 +89,9 @@ class XGM_API Registry {
   std::vector<const PluginInfo*> named(std::string_view name) const;
   const std::vector<LoadFailure>& failures() const { return failures_; }
 
-  /// Every kind of stage there is, with one line of explanation, in the order data flows.
-  static const std::vector<std::pair<std::string, std::string>>& kinds();
+  /// Every kind of stage there is: those of the core in the order data flows, then others.
+  const std::vector<KindInfo>& kinds() const { return kinds_; }
+  bool has_kind(std::string_view kind) const;
 
  private:
   template <class T>
@@ -87,6 +106,7 @@ class XGM_API Registry {
     ParameterSet set_;
   };
 
+  std::vector<KindInfo> kinds_;
   std::map<std::pair<std::string, std::string>, PluginInfo, std::less<>> plugins_;
   std::vector<LoadFailure> failures_;
 };

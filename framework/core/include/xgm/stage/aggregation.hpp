@@ -4,7 +4,6 @@
 #pragma once
 
 #include "xgm/stage/context.hpp"
-#include "xgm/stage/needs.hpp"
 #include "xgm/stage/penalty.hpp"
 #include "xgm/stage/stage.hpp"
 
@@ -13,6 +12,7 @@ namespace xgm {
 class XGM_API Aggregation : public Stage {
  public:
   static constexpr std::string_view kKind = "aggregation";
+  static constexpr std::string_view kMeaning = "sums the costs along paths through the image";
 
   /// S(p, d) for every cell of the costs' shape; kNoMatch exactly where the cost is kNoMatch.
   virtual AggregatedVolume run(const CostVolume& costs, const PenaltyField& penalties,
@@ -20,10 +20,6 @@ class XGM_API Aggregation : public Stage {
 
   /// Whether pixels may have different ranges. If not, a pyramid refuses this aggregation.
   virtual bool accepts_ragged_volumes() const { return true; }
-
-  /// What run() takes, for plans; the default: the volume, path costs of a few lines, 8 updates
-  /// per cell.
-  virtual Needs needs(const Workload& load) const;
 };
 
 }  // namespace xgm

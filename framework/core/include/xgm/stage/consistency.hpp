@@ -3,7 +3,6 @@
 #pragma once
 
 #include "xgm/stage/context.hpp"
-#include "xgm/stage/needs.hpp"
 #include "xgm/stage/stage.hpp"
 
 namespace xgm {
@@ -11,13 +10,11 @@ namespace xgm {
 class XGM_API Consistency : public Stage {
  public:
   static constexpr std::string_view kKind = "consistency";
+  static constexpr std::string_view kMeaning = "compares the maps of both views";
 
   /// Invalidates disagreeing pixels of both maps, as occluded or mismatched. `result.reverse` is
   /// set.
   virtual MatchResult run(const MatchResult& result, const Context& context) const = 0;
-
-  /// What run() takes, for plans; the default: two maps.
-  virtual Needs needs(const Workload& load) const;
 };
 
 }  // namespace xgm

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "xgm/stage/context.hpp"
-#include "xgm/stage/needs.hpp"
 #include "xgm/stage/stage.hpp"
 
 namespace xgm {
@@ -11,15 +10,14 @@ namespace xgm {
 class XGM_API Cost : public Stage {
  public:
   static constexpr std::string_view kKind = "cost";
+  static constexpr std::string_view kMeaning =
+      "compares a base pixel with its candidates in the match image";
 
   /// Fills C(p, d) for every cell of `shape`: 0 (alike) to max_cost, or kNoMatch where the
   /// candidate (x - d, y) lies outside the match image or has no data. Never asked about masked
   /// base pixels: they have no cells.
   virtual CostVolume run(const ImagePair& pair, const VolumeShapePtr& shape,
                          const Context& context) const = 0;
-
-  /// What run() takes, for plans; the default: the volume, one update per cell.
-  virtual Needs needs(const Workload& load) const;
 };
 
 }  // namespace xgm

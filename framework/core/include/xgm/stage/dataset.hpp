@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "xgm/data/scene_files.hpp"
@@ -14,6 +15,8 @@ namespace xgm {
 class XGM_API Dataset : public Stage {
  public:
   static constexpr std::string_view kKind = "dataset";
+  static constexpr std::string_view kMeaning =
+      "finds the scenes in a folder, and by which truth to judge them";
 
   /// The scenes of this data set in `folder`, sorted by name: the folder itself may be a scene, or
   /// hold scenes in the data set's own layout. None if it is laid out otherwise. Opens no image.

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "xgm/stage/context.hpp"
-#include "xgm/stage/needs.hpp"
 #include "xgm/stage/stage.hpp"
 
 namespace xgm {
@@ -11,14 +10,11 @@ namespace xgm {
 class XGM_API Filter : public Stage {
  public:
   static constexpr std::string_view kKind = "filter";
+  static constexpr std::string_view kMeaning = "makes a better disparity map of a disparity map";
 
   /// `pair.base` is the view that `map` belongs to. Returns a map of the same size.
   virtual DisparityMap run(const DisparityMap& map, const ImagePair& pair,
                            const Context& context) const = 0;
-
-  /// What run() takes, for plans; the default: a map, as much beside it, one update per
-  /// pixel.
-  virtual Needs needs(const Workload& load) const;
 };
 
 }  // namespace xgm

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "xgm/stage/context.hpp"
-#include "xgm/stage/planner.hpp"
 #include "xgm/stage/stage.hpp"
 
 namespace xgm {
@@ -11,6 +10,8 @@ namespace xgm {
 class XGM_API Matcher : public Stage {
  public:
   static constexpr std::string_view kKind = "matcher";
+  static constexpr std::string_view kMeaning =
+      "finds the disparity maps of an image pair; matchers may hold matchers";
 
   virtual MatchResult run(const MatchRequest& request, const Context& context) const = 0;
 
@@ -21,13 +22,6 @@ class XGM_API Matcher : public Stage {
   /// Whether results hold the reverse map too. If so, left_right refuses this matcher: it would
   /// match four times.
   virtual bool gives_reverse_map() const { return false; }
-
-  /// What run() takes, for plans; the default: the maps, costs and sums.
-  virtual Needs needs(const Workload& load) const;
-
-  /// A matcher that holds stages plans them in the order in which run() calls them; see Planner.
-  /// The result holds the maps.
-  virtual Planner::Hold plan(const Workload& load, const Planner& planner) const;
 };
 
 }  // namespace xgm

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a stage is going to be given, and what it will take: told before any pixel is read.
+// For stages that say what they take, so that plans of a run's memory and time know more than what
+// can be seen from outside. Nobody has to: see docs/plan.md for what is assumed of the others.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -29,27 +30,22 @@ struct XGM_API Workload {
 
   double pixels() const { return static_cast<double>(size.width) * size.height; }
   double cells() const { return pixels() * used * cells_per_pixel; }
-  double map_bytes() const;    ///< of a DisparityMap
   double image_bytes() const;  ///< of one Image
-  double range_bytes() const;  ///< of a DisparityRange
-  double shape_bytes() const;  ///< of a VolumeShape
 };
 
-/// What run() of a stage takes.
+/// What run() of a stage takes beside its inputs and its result, without the stages inside it.
 struct Needs {
-  double volumes = 0;  ///< bytes of the volumes that it returns
-  double others = 0;   ///< bytes of all else that it returns
-  double working = 0;  ///< bytes beside these and its inputs, the most at one time
+  double working = 0;  ///< bytes, the most at one time
   double updates = 0;  ///< rounds of its innermost loop: its seconds grow with them
   double moved = 0;    ///< bytes of volumes that it reads and writes
 };
 
-/// What a finer level of a pyramid searches: `spread + lost * D` cells per pixel, of the D
-/// disparities of its limits. Most pixels search around what the coarser level found, whatever the
-/// scale; a share of them has lost its disparity and searches everything.
-struct Narrowing {
-  double spread = 24;
-  double lost = 0.15;
+/// A second base for stage classes, beside their kind:
+///   class Sgm final : public xgm::Aggregation, public xgm::StatesNeeds { ... };
+class XGM_API StatesNeeds {
+ public:
+  virtual ~StatesNeeds();
+  virtual Needs needs(const Workload& load) const = 0;
 };
 
 }  // namespace xgm

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "xgm/stage/context.hpp"
-#include "xgm/stage/needs.hpp"
 #include "xgm/stage/stage.hpp"
 
 namespace xgm {
@@ -57,12 +56,11 @@ class XGM_API PenaltyField {
 class XGM_API Penalty : public Stage {
  public:
   static constexpr std::string_view kKind = "penalty";
+  static constexpr std::string_view kMeaning =
+      "weighs disparity steps between neighbours: P1 and P2";
 
   virtual std::unique_ptr<const PenaltyField> run(const ImagePair& pair,
                                                   const Context& context) const = 0;
-
-  /// What run() takes, for plans; the default: a map of classes, one update per pixel.
-  virtual Needs needs(const Workload& load) const;
 };
 
 }  // namespace xgm

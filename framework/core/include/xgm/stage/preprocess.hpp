@@ -3,7 +3,6 @@
 #pragma once
 
 #include "xgm/stage/context.hpp"
-#include "xgm/stage/needs.hpp"
 #include "xgm/stage/stage.hpp"
 
 namespace xgm {
@@ -11,12 +10,10 @@ namespace xgm {
 class XGM_API Preprocess : public Stage {
  public:
   static constexpr std::string_view kKind = "preprocess";
+  static constexpr std::string_view kMeaning = "makes a better image pair of an image pair";
 
   /// The base image keeps its geometry, so that the disparity map stays one of the image given.
   virtual ImagePair run(const ImagePair& pair, const Context& context) const = 0;
-
-  /// What run() takes, for plans; the default: a new pair.
-  virtual Needs needs(const Workload& load) const;
 };
 
 }  // namespace xgm

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "xgm/stage/context.hpp"
-#include "xgm/stage/needs.hpp"
 #include "xgm/stage/stage.hpp"
 
 namespace xgm {
@@ -11,14 +10,12 @@ namespace xgm {
 class XGM_API Refinement : public Stage {
  public:
   static constexpr std::string_view kKind = "refinement";
+  static constexpr std::string_view kMeaning = "moves a disparity by a fraction of a pixel";
 
   /// Moves each valid disparity of `map` (whole numbers, chosen from `sums`) by at most half a
   /// pixel.
   virtual DisparityMap run(const DisparityMap& map, const AggregatedVolume& sums,
                            const Context& context) const = 0;
-
-  /// What run() takes, for plans; the default: a map, one update per pixel.
-  virtual Needs needs(const Workload& load) const;
 };
 
 }  // namespace xgm

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "xgm/stage/context.hpp"
-#include "xgm/stage/needs.hpp"
 #include "xgm/stage/stage.hpp"
 
 namespace xgm {
@@ -11,6 +10,8 @@ namespace xgm {
 class XGM_API SearchRange : public Stage {
  public:
   static constexpr std::string_view kKind = "search_range";
+  static constexpr std::string_view kMeaning =
+      "narrows what the next finer level of a pyramid searches";
 
   /// `coarse` is the checked map of the coarser level, in its own pixels. `limits` is what the
   /// finer level may search at all; its size is that of the finer level, pixel (x, y) lying in
@@ -18,13 +19,6 @@ class XGM_API SearchRange : public Stage {
   /// `limits`).
   virtual DisparityRange run(const DisparityMap& coarse, const DisparityRange& limits,
                              const Context& context) const = 0;
-
-  /// What run() takes, for plans; the default: a range of the finer level and as much beside it.
-  /// `load` is that of the finer level.
-  virtual Needs needs(const Workload& load) const;
-  /// How far this narrows the search of a scene of which nothing is known; the default is typical
-  /// of Middlebury's.
-  virtual Narrowing narrowing() const { return {}; }
 };
 
 }  // namespace xgm

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "xgm/stage/context.hpp"
-#include "xgm/stage/needs.hpp"
 #include "xgm/stage/stage.hpp"
 
 namespace xgm {
@@ -11,12 +10,10 @@ namespace xgm {
 class XGM_API Selection : public Stage {
  public:
   static constexpr std::string_view kKind = "selection";
+  static constexpr std::string_view kMeaning = "picks one disparity per pixel";
 
   /// Whole disparities of `sums`, or out_of_range where no cell can match.
   virtual DisparityMap run(const AggregatedVolume& sums, const Context& context) const = 0;
-
-  /// What run() takes, for plans; the default: a map, one update per cell.
-  virtual Needs needs(const Workload& load) const;
 };
 
 }  // namespace xgm

@@ -9,7 +9,6 @@
 
 #include "xgm/config/slot_base.hpp"
 #include "xgm/stage/context.hpp"
-#include "xgm/stage/planner.hpp"
 
 namespace xgm {
 
@@ -36,21 +35,11 @@ class Slot final : public SlotBase {
 
   template <class... Inputs>
   auto operator()(const Context& context, const Inputs&... inputs) const {
-    return context.scope(field_).run_stage(plugin_, [&](const Context& inner) {
-      (inner.show_input(inputs), ...);
-      return stage_->run(inputs..., inner);
-    });
-  }
-
-  /// What a call with such inputs will take, put down in the plan. The result holds the memory of
-  /// what the stage returns.
-  [[nodiscard]] Planner::Hold plan(const Planner& planner, const Workload& load) const {
-    return planner.scope(field_).stage(Kind::kKind, plugin_, load, [&](const Planner& inner) {
-      if constexpr (requires { stage_->plan(load, inner); }) {
-        return stage_->plan(load, inner);
-      } else {
-        return inner.take(stage_->needs(load));
-      }
+    Context inner = context.inside(field_, Kind::kKind, plugin_, *stage_);
+    (inner.take_view(inputs), ...);
+    return inner.run_stage([&](const Context& here) {
+      (here.show_input(inputs), ...);
+      return stage_->run(inputs..., here);
     });
   }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Many pipelines on many scenes: which runs there are, which are done already, what they amount to.
+// Runs many pipelines on many scenes: lists the runs, skips those that are done, collects results.
 #pragma once
 
 #include <cstdint>
@@ -16,12 +16,12 @@
 
 namespace xgm {
 
-/// Values that a parameter is to have, one after the other.
+/// The values that a parameter takes, one after the other.
 struct Sweep {
   std::string path;                 ///< "matcher.scale"
   std::vector<std::string> values;  ///< YAML
 };
-/// "matcher.scale=4,8". Commas within [], {}, () and quotes belong to a value. Throws Error.
+/// Parses "matcher.scale=4,8". Commas within [], {}, () and quotes belong to a value. Throws Error.
 XGM_API Sweep parse_sweep(const std::string& text);
 
 /// One value for each swept parameter.
@@ -49,36 +49,37 @@ struct BenchScene {
   std::vector<FileIdentity> images{};  ///< of the images and their masks
 };
 
-/// What is to be run.
+/// The runs of a bench.
 struct BenchPlan {
   std::string output;
   std::vector<BenchPipeline> pipelines;
   std::vector<BenchScene> scenes;
-  std::vector<FileIdentity> program{};  ///< a program built anew makes no results of the old one
+  std::vector<FileIdentity> program{};  ///< results of another build of the program are not reused
   int threads = 0;
 };
 
-/// The scenes of some folders, by find_scenes, none twice; those found in a folder are a set, and
-/// scenes that are given one by one are in that of the folder around them. Sets are called as their
-/// folders. With `names` only the scenes called so. Throws Error, also for a name that none has.
+/// The scenes in the given folders, found by find_scenes, each once. The scenes of one folder form
+/// a set with the name of the folder. Scenes that are given one by one belong to the set of their
+/// parent folder. If `names` is not empty, only these scenes. Throws Error, also for a name that no
+/// scene has.
 XGM_API std::vector<BenchScene> find_bench_scenes(const std::vector<std::string>& folders,
                                                   const Registry& registry,
                                                   const std::string& dataset,
                                                   const std::vector<std::string>& names);
-/// Reads the images of all scenes to tell later whether they are still the same. Throws Error.
+/// Reads the images of all scenes, to detect later changes. Throws Error.
 XGM_API void identify_images(std::vector<BenchScene>& scenes);
-/// Makes names unique and fit for folders, for pipelines called alike ("sgm8", "sgm8-2").
+/// Makes names unique and usable for folders: pipelines of the same name become "sgm8", "sgm8-2".
 XGM_API void name_folders(std::vector<BenchPipeline>& pipelines);
-/// What this program is made of, and the plugin files given.
-XGM_API std::vector<FileIdentity> identify_program(const std::vector<std::string>& plugins);
+/// What decides of a program's results: its file, the libraries and the plugin files given.
+XGM_API std::vector<FileIdentity> identify_program(const std::string& program,
+                                                   const std::vector<std::string>& plugins);
 
-/// How maps are judged.
+/// How maps are evaluated.
 struct BenchRules {
   std::vector<double> thresholds = usual_thresholds();  ///< px after scaling
-  double scale = 1;   ///< see EvaluationRules; 0: that of each scene
-  bool clip = false;  ///< benchmark_clip of the scene's disparities, where it has any
-  /// A region of evaluate_regions. Empty: "non-occluded", "all" where a scene does not tell them
-  /// apart.
+  double scale = 1;   ///< see EvaluationRules; 0: the scale of each scene
+  bool clip = false;  ///< whether to apply benchmark_clip, for scenes with known disparities
+  /// A region of evaluate_regions. Empty: "non-occluded", or "all" for scenes without that region.
   std::string region;
 };
 
@@ -105,28 +106,28 @@ struct XGM_API BenchResult {
     return cells[scene * plan.pipelines.size() + pipeline];
   }
   std::size_t failures() const;
-  /// Whether some pipeline is done on the scene.
+  /// Whether some pipeline has finished the scene.
   bool any_done(std::size_t scene) const;
 };
 
-/// What a run of one cell came to.
+/// The outcome of one run.
 struct RunOutcome {
   bool interrupted = false;
-  std::string failure;  ///< empty if all went well
+  std::string failure;  ///< empty if the run succeeded
 };
 
-/// Where a bench stands.
+/// The progress of a bench.
 struct BenchProgress {
-  std::size_t number = 0;  ///< of the cell, from 1
+  std::size_t number = 0;  ///< of the cell, counted from 1
   std::size_t total = 0;
   std::string pipeline, scene;
-  bool finished = false;     ///< else it begins now
+  bool finished = false;     ///< else it is about to begin
   const BenchCell* cell{};   ///< if finished
-  double seconds_left = -1;  ///< negative: nobody knows yet
+  double seconds_left = -1;  ///< negative: not known yet
 };
 
 struct BenchHooks {
-  /// Runs a pipeline on a scene, and leaves what `pipeline run` writes in the folder.
+  /// Runs a pipeline on a scene, and writes the files of `pipeline run` to the folder.
   std::function<RunOutcome(const BenchPipeline&, const BenchScene&, const std::string& folder)> run;
   std::function<void(const BenchProgress&)> tell = [](const BenchProgress&) {};
 };
@@ -134,10 +135,11 @@ struct BenchHooks {
 /// The folder of one cell: OUTPUT/PIPELINE/SET/SCENE.
 XGM_API std::string cell_folder(const BenchPlan& plan, std::size_t pipeline, std::size_t scene);
 
-/// Runs what is not done, scene by scene, and judges all maps by the truth as it is now. A cell is
-/// done if an earlier bench ran it with the same program, resolved pipeline, images, disparities
-/// and threads, and its files are as that run left them. Holds one map at a time. After an
-/// interruption only what is done is judged. Throws Error if the output cannot be written.
+/// Runs all cells that are not done, scene by scene, and evaluates all maps with the current ground
+/// truth. A cell is done if an earlier bench ran it with the same program, resolved pipeline,
+/// images, disparities and threads, and its files have not changed since. Holds one map in memory
+/// at a time. After an interruption, only finished cells are evaluated. Throws Error if the output
+/// cannot be written.
 XGM_API BenchResult run_bench(const BenchPlan& plan, const BenchRules& rules,
                               const BenchHooks& hooks);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs in processes of their own: what one does to memory, or dies of, stays its own.
+// Runs in separate processes, so that the memory or a crash of one run does not affect another.
 #pragma once
 
 #include <string>
@@ -10,19 +10,19 @@
 
 namespace xgm {
 
-/// While it lives, SIGINT, SIGTERM and SIGHUP do not end the process, but are noted.
+/// While an object exists, SIGINT, SIGTERM and SIGHUP are recorded instead of ending the process.
 class XGM_API Interruptible {
  public:
   Interruptible();
   ~Interruptible();
   Interruptible(const Interruptible&) = delete;
   Interruptible& operator=(const Interruptible&) = delete;
-  /// The signal that came; 0 if none did.
+  /// The signal that was received; 0 if none.
   static int signal();
 };
 
-/// While it lives, no other process has one for the same folder: it holds `folder`/.lock. Throws
-/// Error if another has; a file system without locks protects nothing.
+/// Locks a folder for as long as it exists, by `folder`/.lock. Throws Error if another process
+/// holds the lock. A file system without locks gives no protection.
 class XGM_API FolderLock {
  public:
   explicit FolderLock(const std::string& folder);
@@ -34,10 +34,10 @@ class XGM_API FolderLock {
   int file_ = -1;
 };
 
-/// Runs this program with other arguments, its output going to `log`, until it ends or this process
-/// is told to; it does not outlive this process. `failure` is the last error that it printed, or
-/// how it ended.
-XGM_API RunOutcome run_this_program(const std::vector<std::string>& arguments,
-                                    const std::string& log);
+/// Runs the file `program`, its output going to `log`, until it ends or this process is told to; it
+/// does not outlive this process. `words` are its command line, the program's own name first.
+/// `failure` is the last error that it printed, or how it ended.
+XGM_API RunOutcome run_program(const std::string& program, const std::vector<std::string>& words,
+                               const std::string& log);
 
 }  // namespace xgm

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Results of a bench as benchmarks want them uploaded.
+// Writes results of a bench in the format that benchmarks expect for upload.
 #pragma once
 
 #include <string>
@@ -10,14 +10,14 @@
 
 namespace xgm {
 
-/// Writes what a benchmark wants uploaded ("middlebury", "eth3d" or "kitti") to
-/// OUTPUT/submit/PIPELINE, for pipelines that are done on all scenes. `method` names the only
-/// pipeline; empty: as they are called. Returns the commands that pack the folders. Throws Error if
-/// the scenes are not such a benchmark's.
+/// Writes the upload for a benchmark ("middlebury", "eth3d" or "kitti") to OUTPUT/submit/PIPELINE,
+/// for pipelines that have finished all scenes. `method` is the name of the method if there is only
+/// one pipeline; empty: the names of the pipelines. Returns the commands that pack the folders.
+/// Throws Error if the scenes do not belong to the benchmark.
 XGM_API std::vector<std::string> write_submission(const BenchResult& result,
                                                   const std::string& benchmark,
                                                   const std::string& method);
-/// What write_submission would throw before any run.
+/// Throws, before any run, the Error that write_submission would throw.
 XGM_API void check_submission(const BenchPlan& plan, const std::string& benchmark,
                               const std::string& method);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `pipeline eval` finds, as files for programs.
+// The results of `pipeline eval` as JSON and CSV.
 #pragma once
 
 #include <string>
@@ -19,10 +19,10 @@ struct EvaluationReport {
   std::vector<RegionSparsification> confidence;  ///< empty without a confidence
 };
 
-/// Indented JSON; figures that are not known are null.
+/// Indented JSON; unknown figures are null.
 XGM_API std::string to_json(const EvaluationReport& report);
 
-/// A line of headings, then a line per region (RFC 4180); figures that are not known are empty.
+/// A header line, then a line per region (RFC 4180); unknown figures are empty.
 XGM_API std::string to_csv(const EvaluationReport& report);
 
 }  // namespace xgm

@@ -62,7 +62,7 @@ struct MatchExplanation {
 };
 
 struct LevelExplanation {
-  double scale = 1;  ///< how many times smaller than the images the level is
+  Level level;  ///< its scale: how many times smaller than the images it is
   cv::Size size;
   MatchExplanation forward;
   /// The match image's pixel that the forward winner points at; none if that is outside, or if the
@@ -85,9 +85,8 @@ enum class Effect {
 XGM_API std::string_view to_string(Effect effect);
 
 struct ExplainedEvent {
-  std::string stage_path;
-  std::string plugin;
-  double scale = 1;
+  StagePlace place;  ///< of the stage, which may be gone
+  Level level;       ///< that the pixel is of
   bool reverse = false;
   Effect effect = Effect::kept;
   std::optional<PixelState> before;  ///< none for images, range, and the first map
@@ -108,22 +107,21 @@ struct Explanation {
 /// Keeps what happens to `pixels` of images of `size`. Feed it one run (or a matcher's). The curves
 /// of these pixels are kept, nothing else; volumes and maps are read while they live.
 ///
-/// A pixel (x, y) is looked for at level 2^k at (x >> k, y >> k), the pixel of a pyramid that
-/// covers it, a level being known by its size. A matcher that moves pixels otherwise (one that
-/// turns the images) is seen from outside: what happened inside is shown for the same place, and
-/// its result is right again.
+/// A pixel (x, y) is looked for at a level of scale s at (floor(x / s), floor(y / s)), the pixel
+/// that covers it. A matcher that moves pixels otherwise (one that turns the images) is seen from
+/// outside: what happened inside is shown for the same place, and its result is right again.
 class XGM_API Explainer final : public Observer {
  public:
-  /// `truth`: disparities of the base view, px, not finite = unknown; may be empty. Throws Error
-  /// if a pixel lies outside, or the truth is of another size.
+  /// `truth`: disparities of the base view, px, not finite = unknown; may be empty. Throws
+  /// UsageError if a pixel lies outside, or the truth is of another size.
   Explainer(cv::Size size, std::vector<cv::Point> pixels, cv::Mat1f truth = {});
   ~Explainer() override;
 
-  void stage_begin(const std::string& stage_path, const std::string& plugin) override;
-  void stage_input(const std::string& stage_path, const Artifact& input) override;
-  void stage_end(const std::string& stage_path, const StageStatistics& statistics,
+  void stage_begin(const StagePlace& place) override;
+  void stage_input(const StagePlace& place, const Artifact& input) override;
+  void stage_end(const StagePlace& place, const StageStatistics& statistics,
                  const Artifact& result) override;
-  void report(const std::string& stage_path, const std::string& name, double value) override;
+  void figure(const StagePlace& place, const std::string& name, double value) override;
 
   /// One per pixel, in the order given.
   std::vector<Explanation> explanations() const;

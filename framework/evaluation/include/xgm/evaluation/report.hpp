@@ -19,8 +19,8 @@ namespace xgm {
 
 /// One level of a pyramid, base view. All disparities are px of the level.
 struct ReportLevel {
-  std::string stage_path;               ///< "matcher.s4"
-  int scale = 1;                        ///< how many times smaller than the images it is
+  Level level;                          ///< its place: path, name and scale
+  std::string matcher_path;             ///< of the matcher that matched it: "matcher.s4.matcher"
   DisparityMap map;                     ///< as it left the level's matcher
   std::optional<DisparityRange> range;  ///< what was searched; none: not known
 };
@@ -65,15 +65,16 @@ XGM_API std::string html_text(const std::string& text);
 /// Keeps what a report shows of a pyramid's levels: copies of their maps and ranges.
 class XGM_API LevelCollector final : public Observer {
  public:
-  void stage_input(const std::string& stage_path, const Artifact& input) override;
-  void stage_end(const std::string& stage_path, const StageStatistics& statistics,
+  void stage_input(const StagePlace& place, const Artifact& input) override;
+  void stage_end(const StagePlace& place, const StageStatistics& statistics,
                  const Artifact& result) override;
   /// The levels that have a map, coarsest first.
   std::vector<ReportLevel> levels() const;
 
  private:
-  /// The level whose matcher this is, made if need be; null if it is none of a level's base view.
-  ReportLevel* level_at(const std::string& matcher_path);
+  /// The level that this matcher is the outermost one of, made if need be; null if it is none of a
+  /// level's base view.
+  ReportLevel* level_of(const StagePlace& matcher);
   std::vector<ReportLevel> levels_;
 };
 

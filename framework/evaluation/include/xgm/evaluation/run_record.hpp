@@ -18,28 +18,24 @@ namespace xgm {
 
 /// One call of one stage, in the order in which they began.
 struct StageRecord {
-  std::string path;
-  std::string plugin;
+  StagePlace place;  ///< without the stage itself, which may be gone
   StageStatistics statistics;
   bool finished = false;
-  std::vector<std::pair<std::string, double>> figures;  ///< what the stage reported
+  std::vector<std::pair<std::string, double>> figures;  ///< that the stage told
 };
 
-/// Collects what an observer is told. Programs that show progress too derive from it.
-class XGM_API RunRecorder : public Observer {
+/// Collects the stages of a run.
+class XGM_API RunRecorder final : public Observer {
  public:
-  void log(LogLevel level, const std::string& stage_path, const std::string& text) override;
-  void stage_begin(const std::string& stage_path, const std::string& plugin) override;
-  void stage_end(const std::string& stage_path, const StageStatistics& statistics,
+  void stage_begin(const StagePlace& place) override;
+  void stage_end(const StagePlace& place, const StageStatistics& statistics,
                  const Artifact& result) override;
-  void report(const std::string& stage_path, const std::string& name, double value) override;
+  void figure(const StagePlace& place, const std::string& name, double value) override;
 
   const std::vector<StageRecord>& stages() const { return stages_; }
-  const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
   std::vector<StageRecord> stages_;
-  std::vector<std::string> warnings_;
 };
 
 /// All that run.json holds.

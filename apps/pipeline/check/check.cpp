@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// pipeline check: is the configuration sound?
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+
+#include "commands.hpp"
+#include "options/pipelines.hpp"
+
+namespace xgm::cli {
+namespace {
+
+struct Options {
+  std::vector<std::string> pipelines;
+  std::vector<std::string> assignments;
+  PluginOptions plugins;
+};
+
+int check(const Options& options) {
+  const Registry registry = make_registry(options.plugins);
+  const std::vector<Override> overrides = parse_overrides(options.assignments);
+  int exit_code = kOk;
+  for (const std::string& name : options.pipelines) {
+    const auto loaded = load_named(name, registry, overrides);
+    if (loaded) {
+      std::cout << loaded->file() << ": ok\n";
+    } else {
+      exit_code = kUsage;
+    }
+  }
+  return exit_code;
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, Invocation& call) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("check", "Check pipeline files; opens no image");
+  command->add_option("pipelines", options->pipelines, "Pipeline files or names of shipped ones")
+      ->type_name("PIPELINE...")
+      ->required();
+  add_set_option(*command, options->assignments);
+  add_plugin_options(*command, options->plugins);
+  command->callback([options, &call] { call.exit_code = check(*options); });
+}
+
+}  // namespace xgm::cli

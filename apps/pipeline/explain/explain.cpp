@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// pipeline explain: why does this pixel have the disparity it has, or none?
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+#include <memory>
+
+#include "commands.hpp"
+#include "options/pixels.hpp"
+#include "options/scene_request.hpp"
+#include "terminal/console.hpp"
+#include "terminal/observer.hpp"
+#include "xgm/base/error.hpp"
+#include "xgm/base/memory.hpp"
+#include "xgm/io/file.hpp"
+#include "xgm/pipeline/scene_run.hpp"
+#include "xgm/stage/observers.hpp"
+
+namespace xgm::cli {
+namespace {
+
+struct Options : SceneOptions {
+  std::vector<std::string> place;  ///< [SCENE] X Y
+  std::string json;                ///< file, or "-" for stdout
+};
+
+/// What --json asks for, and otherwise the text.
+void print(const Options& options, const Explanation& explanation) {
+  if (options.json == "-") {
+    std::cout << to_json(explanation);
+    return;
+  }
+  std::cout << to_text(explanation);
+  if (!options.json.empty()) write_file(options.json, to_json(explanation));
+}
+
+int explain_checked(const Options& options, const Pipeline& pipeline, const SceneRequest& request,
+                    const ExplainPixels& pixels) {
+  Progress progress;
+  progress.begin("reading the images");
+  limit_memory(available_memory());
+  SceneInputs inputs = read_scene(request, pipeline);
+  const auto explainer = make_explainer(pixels, inputs.scene);
+  TerminalObserver terminal(progress);
+  Observers observers;
+  observers.add(terminal);
+  observers.add(*explainer);
+  progress.begin("matching");
+  match_scene(pipeline, std::move(inputs),
+              {.observer = &observers, .threads = use_threads(options.threads)});
+  progress.end();
+  print(options, explainer->explanations().front());
+  return kOk;
+}
+
+/// Takes [SCENE] X Y apart.
+ExplainPixels take_place(Options& options) {
+  auto& place = options.place;
+  if (place.size() == 3) {
+    if (!options.images.left.empty()) {
+      throw UsageError("give a scene, or --left and --right, not both");
+    }
+    options.scene = place.front();
+    place.erase(place.begin());
+  }
+  return {{parse_pixel(place[0], place[1])}, 0};
+}
+
+int explain(Options options) {
+  set_up_logging(options.log_level);
+  const ExplainPixels pixels = take_place(options);
+  const Registry registry = make_registry(options.plugins);
+  const auto pipeline =
+      load_named(options.pipeline, registry, parse_overrides(options.assignments));
+  if (!pipeline) return kUsage;
+  return explain_checked(options, *pipeline, scene_request(options, registry), pixels);
+}
+
+void add_explain_options(CLI::App& command, SceneOptions& options,
+                         std::vector<std::string>& place) {
+  add_pipeline(command, options);
+  auto* pixel =
+      command
+          .add_option(
+              "pixel", options.place,
+              "Column and row of the pixel in the left image, from 0 on; before them the scene's "
+              "folder, unless images are given or the built-in sample pair is meant")
+          ->type_name("[SCENE_DIR] X Y")
+          ->expected(2, 3)
+          ->required();
+  add_scene_choice(command, options, pixel);
+  add_images(command, options);
+  add_search(command, options);
+  add_matching(command, options);
+  add_memory_limit_option(command, options.memory_limit);
+  add_truth(command, options);
+  add_surroundings(command, options);
+}
+
+}  // namespace
+
+void add_explain(CLI::App& app, Invocation& call) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("explain", "Say why one pixel has its disparity, or none, stage by stage");
+  add_explain_options(*command, *options);
+  command
+      ->add_option("--json", options->json,
+                   "Also write all of it, complete curves included, for programs; '-' for stdout, "
+                   "in place of the text")
+      ->type_name("FILE|-");
+  command->callback([options, &call] { call.exit_code = explain(*options); });
+}
+
+}  // namespace xgm::cli

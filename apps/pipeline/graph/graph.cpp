@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// pipeline graph: the stages of a pipeline with all their parameters, defaults included.
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+
+#include "commands.hpp"
+#include "options/pipelines.hpp"
+
+namespace xgm::cli {
+namespace {
+
+struct Options {
+  std::string pipeline;
+  std::vector<std::string> assignments;
+  PluginOptions plugins;
+};
+
+int graph(const Options& options) {
+  const Registry registry = make_registry(options.plugins);
+  const auto loaded = load_named(options.pipeline, registry, parse_overrides(options.assignments));
+  if (!loaded) return kUsage;
+  std::string text = loaded->graph();
+  while (text.ends_with('\n')) text.pop_back();
+  std::cout << text << '\n';
+  return kOk;
+}
+
+}  // namespace
+
+void add_graph(CLI::App& app, Invocation& call) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("graph", "Show a pipeline as a tree of stages");
+  command->add_option("pipeline", options->pipeline, "Pipeline file or name of a shipped one")
+      ->type_name("PIPELINE")
+      ->required();
+  add_set_option(*command, options->assignments);
+  add_plugin_options(*command, options->plugins);
+  command->callback([options, &call] { call.exit_code = graph(*options); });
+}
+
+}  // namespace xgm::cli

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "options/pipelines.hpp"
+
+#include <spdlog/spdlog.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "terminal/console.hpp"
+#include "xgm/base/error.hpp"
+#include "xgm/pipeline/lookup.hpp"
+
+namespace xgm::cli {
+
+void add_plugin_options(CLI::App& command, PluginOptions& options) {
+  command
+      .add_option("--plugin", options.files,
+                  "Load a plugin file; may be given again. XGM_PLUGIN_PATH holds further files and "
+                  "folders, separated by colons")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+}
+
+Registry make_registry(const PluginOptions& options) {
+  Registry registry = Registry::with_builtins();
+  for (const std::string& file : options.files) registry.load(file);
+  if (const char* paths = std::getenv("XGM_PLUGIN_PATH")) registry.load_path(paths);
+  registry.load_path(plugins_folder());
+  for (const LoadFailure& failure : registry.failures()) {
+    spdlog::warn("plugin {} could not be loaded: {}", failure.file, failure.reason);
+  }
+  return registry;
+}
+
+void add_set_option(CLI::App& command, std::vector<std::string>& assignments) {
+  command
+      .add_option("--set", assignments,
+                  "Replace or add a parameter, for example matcher.search_range.window=31; the "
+                  "value is YAML; may be given again")
+      ->type_name("PATH=VALUE")
+      ->allow_extra_args(false);
+}
+
+std::vector<Override> parse_overrides(const std::vector<std::string>& assignments) {
+  std::vector<Override> overrides;
+  for (const std::string& assignment : assignments) {
+    const std::size_t equals = assignment.find('=');
+    if (equals == 0 || equals == std::string::npos) {
+      throw UsageError("--set " + assignment + ": write PATH=VALUE, for example matcher.scale=4");
+    }
+    overrides.push_back({assignment.substr(0, equals), assignment.substr(equals + 1)});
+  }
+  return overrides;
+}
+
+std::optional<Pipeline> load_named(const std::string& name, const Registry& registry,
+                                   const std::vector<Override>& overrides) {
+  std::string file;
+  try {
+    file = find_pipeline(name);
+  } catch (const UsageError& error) {
+    spdlog::error(error.what());
+    return std::nullopt;
+  }
+  LoadedPipeline loaded = load_pipeline(file, registry, overrides);
+  for (const Diagnostic& diagnostic : loaded.diagnostics) {
+    Console::instance().message(to_string(diagnostic));
+  }
+  return loaded.pipeline;
+}
+
+}  // namespace xgm::cli

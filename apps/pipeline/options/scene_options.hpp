@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// What commands that match are asked: which pipeline, on which images, with which resources.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "options/pipelines.hpp"
+#include "xgm/data/scene_files.hpp"
+
+namespace CLI {
+class Option;
+}
+
+namespace xgm::cli {
+
+struct SceneOptions {
+  std::string pipeline;
+  std::string scene;       ///< folder
+  std::string scene_name;  ///< of its scenes, the one to match
+  std::string dataset;
+  PairFiles images;
+  std::string disparities;
+  std::string range_maps;
+  std::vector<std::string> assignments;
+  int threads = 0;
+  std::string memory_limit;  ///< "2.5GB"; empty: none
+  std::string truth;
+  std::string truth_mask;
+  std::optional<double> truth_divisor;
+  std::string log_level = "info";
+  PluginOptions plugins;
+};
+
+void add_pipeline(CLI::App& command, SceneOptions& options);
+/// The scene's folder, or the images in its place.
+void add_scene_or_images(CLI::App& command, SceneOptions& options);
+/// In place of the scene's folder; returns --left.
+CLI::Option* add_images(CLI::App& command, SceneOptions& options);
+/// Which of the scenes in the folder that `scene` takes, and how it is laid out.
+void add_scene_choice(CLI::App& command, SceneOptions& options, CLI::Option* scene);
+/// --disparities.
+CLI::Option* add_interval(CLI::App& command, SceneOptions& options);
+/// --disparities and --range-maps, which is returned.
+CLI::Option* add_search(CLI::App& command, SceneOptions& options);
+/// Parameters and threads.
+void add_matching(CLI::App& command, SceneOptions& options);
+void add_truth(CLI::App& command, SceneOptions& options);
+/// Plugins and messages.
+void add_surroundings(CLI::App& command, SceneOptions& options);
+
+/// --dataset, for commands that take folders of scenes.
+CLI::Option* add_dataset_option(CLI::App& command, std::string& dataset);
+/// --memory-limit, for commands that match.
+void add_memory_limit_option(CLI::App& command, std::string& limit);
+/// --threads.
+void add_threads_option(CLI::App& command, int& threads,
+                        const std::string& text = "Threads to use; without it all processors");
+
+/// Those asked for, else all processors. What OpenCV does for stages is done by as many from now
+/// on, in the whole program.
+int use_threads(int threads);
+
+}  // namespace xgm::cli

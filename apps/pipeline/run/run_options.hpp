@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the user asked of "pipeline run".
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "options/scene_options.hpp"
+
+namespace xgm::cli {
+
+struct RunCommandOptions : SceneOptions {
+  std::string output = "xgm_output";
+  std::string dump;
+  bool report = false;
+  std::string cloud;
+  std::string depth;
+  std::vector<std::string> explain;  ///< "X,Y" or "every=N"
+};
+
+void add_run_options(CLI::App& command, RunCommandOptions& options);
+
+}  // namespace xgm::cli

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a run came to, on stdout.
+#pragma once
+
+#include "xgm/evaluation/recorded_run.hpp"
+
+namespace xgm::cli {
+
+void print_summary(const RecordedRun& result, const RecordRequest& request);
+
+}  // namespace xgm::cli

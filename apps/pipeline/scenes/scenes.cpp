@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// pipeline scenes: what is there to match in a folder, and what is known of it?
+#include <spdlog/fmt/fmt.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <iostream>
+#include <map>
+#include <memory>
+
+#include "commands.hpp"
+#include "options/scene_options.hpp"
+#include "xgm/io/scene.hpp"
+
+namespace xgm::cli {
+namespace {
+
+struct Options {
+  std::string folder;
+  std::string dataset;
+  bool json = false;
+  PluginOptions plugins;
+};
+
+std::string range_of(const SceneFiles& scene) {
+  if (!scene.disparities) return "-";
+  return fmt::format("{}:{}", scene.disparities->begin, scene.disparities->end - 1);
+}
+
+std::string truth_of(const SceneFiles& scene) {
+  const TruthFiles& truth = scene.truth;
+  if (truth.disparity.file.empty()) return "-";
+  return truth.reverse.file.empty() ? "left" : "both";
+}
+
+/// Where the mask of the pixels that are not occluded comes from.
+std::string mask_of(const SceneFiles& scene) {
+  const TruthFiles& truth = scene.truth;
+  if (truth.disparity.file.empty()) return "-";
+  if (!truth.non_occluded.empty()) return "file";
+  return truth.visible.file.empty() && truth.reverse.file.empty() ? "-" : "from truth";
+}
+
+/// What is missing, once for all scenes that lack it.
+void print_missing(const std::vector<SceneFiles>& scenes) {
+  std::map<std::string, std::vector<std::string>> lacking;
+  for (const SceneFiles& scene : scenes) {
+    for (const std::string& what : scene.missing) lacking[what].push_back(scene.name);
+  }
+  if (!lacking.empty()) std::cout << "\nMissing:\n";
+  for (const auto& [what, names] : lacking) {
+    const bool all = names.size() == scenes.size() && names.size() > 1;
+    constexpr std::size_t kMaxNames = 8;
+    std::string who = all ? "all scenes" : "";
+    for (std::size_t i = 0; !all && i < std::min(names.size(), kMaxNames); ++i) {
+      who += (i > 0 ? ", " : "") + names[i];
+    }
+    if (!all && names.size() > kMaxNames) {
+      who += fmt::format(" and {} more", names.size() - kMaxNames);
+    }
+    std::cout << "  " << what << "\n    in " << who << '\n';
+  }
+}
+
+void print(const std::vector<SceneFiles>& scenes) {
+  std::size_t width = std::string("scene").size();
+  for (const SceneFiles& scene : scenes) width = std::max(width, scene.name.size());
+  std::cout << scenes.size() << (scenes.size() == 1 ? " scene" : " scenes") << " of data set "
+            << scenes.front().dataset << "\n\n";
+  const auto row = [&](const auto&... cells) {
+    std::cout << fmt::format("{:<{}}  {:>11}  {:<5}  {:<10}  {:<11}  {:>6}  {:>5}\n", cells...);
+  };
+  row("scene", width, "disparities", "truth", "mask", "calibration", "weight", "scale");
+  for (const SceneFiles& scene : scenes) {
+    row(scene.name, width, range_of(scene), truth_of(scene), mask_of(scene),
+        scene.calibration ? "yes" : "-", scene.weight, scene.scale);
+  }
+  print_missing(scenes);
+}
+
+int list_scenes(const Options& options) {
+  const Registry registry = make_registry(options.plugins);
+  const std::vector<SceneFiles> scenes = find_scenes(options.folder, registry, options.dataset);
+  if (options.json) {
+    std::cout << to_json(scenes) << '\n';
+  } else {
+    print(scenes);
+  }
+  return kOk;
+}
+
+}  // namespace
+
+void add_scenes(CLI::App& app, Invocation& call) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(
+      "scenes", "List the scenes in a folder, what is known of them and what is missing");
+  command->add_option("folder", options->folder, "A scene, or a folder of scenes")
+      ->type_name("FOLDER")
+      ->required();
+  add_dataset_option(*command, options->dataset);
+  command->add_flag("--json", options->json, "For programs: a list of objects");
+  add_plugin_options(*command, options->plugins);
+  command->callback([options, &call] { call.exit_code = list_scenes(*options); });
+}
+
+}  // namespace xgm::cli

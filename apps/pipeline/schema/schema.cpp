@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// pipeline schema: JSON Schema of pipeline files, for editors.
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+
+#include "commands.hpp"
+#include "options/pipelines.hpp"
+#include "xgm/pipeline/describe.hpp"
+
+namespace xgm::cli {
+
+void add_schema(CLI::App& app, Invocation&) {
+  auto plugins = std::make_shared<PluginOptions>();
+  CLI::App* command = app.add_subcommand(
+      "schema", "Print the JSON Schema of pipeline files, by which editors complete and check");
+  add_plugin_options(*command, *plugins);
+  command->callback([plugins] {
+    std::string text = pipeline_schema(make_registry(*plugins));
+    while (text.ends_with('\n')) text.pop_back();
+    std::cout << text << '\n';
+  });
+}
+
+}  // namespace xgm::cli

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+// pipeline speed: how fast are pipelines, beside each other and OpenCV?
+#include <spdlog/spdlog.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "commands.hpp"
+#include "options/scene_request.hpp"
+#include "terminal/observer.hpp"
+#include "xgm/base/simd.hpp"
+#include "xgm/evaluation/speed.hpp"
+#include "xgm/io/file.hpp"
+#include "xgm/io/output_folder.hpp"
+#include "xgm/pipeline/lookup.hpp"
+
+namespace xgm::cli {
+namespace {
+
+struct Options : SceneOptions {
+  std::vector<std::string> simd;
+  std::vector<std::string> opencv;
+  int repeat = 5;
+  std::string json;  ///< file, or "-" for stdout
+};
+
+/// "all" stands for everything there is, "none" alone for nothing; each is named once.
+std::vector<std::string> choose(const std::string& what, const std::vector<std::string>& wanted,
+                                const std::vector<std::string>& known) {
+  std::vector<std::string> chosen;
+  for (const std::string& name : wanted) {
+    if (name == "all") return known;
+    if (name == "none" && wanted.size() == 1) return {};
+    require_name(what, name, known);
+    if (std::find(chosen.begin(), chosen.end(), name) == chosen.end()) chosen.push_back(name);
+  }
+  return chosen;
+}
+
+SpeedPlan make_speed_plan(const Options& options) {
+  SpeedPlan plan;
+  plan.threads = use_threads(options.threads);
+  plan.rounds = options.repeat;
+  plan.peers = choose("StereoSGBM mode", options.opencv, opencv_modes());
+  plan.simd = choose("SIMD target", options.simd, simd_targets());
+  if (plan.simd.empty()) plan.simd.push_back(simd_target());
+  return plan;
+}
+
+/// Empty if anything is wrong, all of which has been said.
+std::vector<SpeedPipeline> load_pipelines(const Options& options, const Registry& registry) {
+  std::vector<SpeedPipeline> pipelines;
+  bool sound = true;
+  for (std::string name : CLI::detail::split(options.pipeline, ',')) {
+    CLI::detail::trim(name);
+    const auto pipeline = load_named(name, registry, parse_overrides(options.assignments));
+    sound = sound && pipeline;
+    if (pipeline) {
+      pipelines.push_back({std::filesystem::path(pipeline->file()).stem().string(), *pipeline});
+    }
+  }
+  return sound ? pipelines : std::vector<SpeedPipeline>{};
+}
+
+void print(const Options& options, const SpeedResult& result) {
+  if (options.json == "-") {
+    std::cout << speed_json(result);
+    return;
+  }
+  std::cout << speed_markdown(result);
+  if (!options.json.empty()) write_file(options.json, speed_json(result));
+}
+
+int speed(const Options& options) {
+  SpeedPlan plan = make_speed_plan(options);
+  const Registry registry = make_registry(options.plugins);
+  plan.pipelines = load_pipelines(options, registry);
+  if (plan.pipelines.empty()) return kUsage;
+  const Pipeline& first = plan.pipelines.front().pipeline;
+  const SceneRequest scene = scene_request(options, registry);
+  check_scene(scene, first);
+  if (!options.json.empty() && options.json != "-") {
+    require_writable(std::filesystem::path(options.json).parent_path().string(), "--json ");
+  }
+  set_opencv_threads(plan.threads);
+  Progress progress;
+  progress.begin("reading the images");
+  SceneInputs inputs = read_scene(scene, first);
+  show_notes(inputs);
+  const MatchRequest request{std::move(inputs.scene.pair), inputs.range, {}};
+  const SpeedResult result =
+      time_pipelines(plan, request, [&](const std::string& what) { progress.begin(what); });
+  progress.end();
+  print(options, result);
+  return kOk;
+}
+
+void add_speed_options(CLI::App& command, SceneOptions& options) {
+  command
+      .add_option("pipelines", options.pipeline,
+                  "Pipeline files or names of shipped ones, separated by commas")
+      ->type_name("PIPELINE,...")
+      ->required();
+  add_scene_or_images(command, options);
+  add_interval(command, options);
+  add_matching(command, options);
+  add_surroundings(command, options);
+}
+
+void add_race_options(CLI::App& command, Options& options) {
+  command
+      .add_option("--repeat", options.repeat,
+                  "Rounds; in each everything runs once, and medians are told")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command
+      .add_option("--simd", options.simd,
+                  "Run the pipelines with each of these SIMD targets; all: those of this "
+                  "processor. Without it the best one, or that of XGM_SIMD")
+      ->type_name("TARGET,...")
+      ->delimiter(',');
+  command
+      .add_option("--opencv", options.opencv,
+                  "Modes of cv::StereoSGBM to compare with: hh, hh4, sgbm, sgbm_3way, all, none")
+      ->type_name("MODE,...")
+      ->delimiter(',')
+      ->default_str("all");
+  command
+      .add_option("--json", options.json,
+                  "Also write every round, for programs; '-' for stdout, in place of the tables")
+      ->type_name("FILE|-");
+}
+
+}  // namespace
+
+void add_speed(CLI::App& app, Invocation& call) {
+  auto options = std::make_shared<Options>();
+  options->opencv = {"all"};
+  CLI::App* command = app.add_subcommand(
+      "speed", "Time pipelines, stage by stage, and OpenCV's StereoSGBM on the same pair");
+  add_speed_options(*command, *options);
+  add_race_options(*command, *options);
+  command->callback([options, &call] { call.exit_code = speed(*options); });
+}
+
+}  // namespace xgm::cli

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// A disparity map as files, for programs and for people.
+#pragma once
+
+#include <string>
+
+#include "xgm/base/export.hpp"
+#include "xgm/data/disparity_map.hpp"
+
+namespace xgm {
+
+/// Writes disparity.pfm (px, +inf where there is none), disparity.png and status.png (pictures with
+/// legends) to the folder, which is made if it is missing. Each file is complete or not there.
+/// Throws UsageError if the folder cannot be made, Error if a file cannot be written.
+XGM_API void write_maps(const std::string& folder, const DisparityMap& map);
+
+}  // namespace xgm

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Kind "pipeline": what a pipeline file holds at its top, and what is made of it. A file names its
+// family with `type`; without it, it is a stereo pipeline.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "xgm/stage/context.hpp"
+#include "xgm/stage/stage.hpp"
+
+namespace xgm {
+
+/// The parameters of the plugin are the top of the file. Each family has a base class with a run()
+/// of its own, which programs reach by Pipeline::family().
+class XGM_API PipelineFamily : public Stage {
+ public:
+  static constexpr std::string_view kKind = "pipeline";
+  static constexpr std::string_view kMeaning = "is what a pipeline file holds at its top";
+  /// The family of files that do not say theirs.
+  static constexpr std::string_view kDefault = "stereo";
+};
+
+/// From one image pair to its disparity maps.
+class XGM_API StereoFamily : public PipelineFamily {
+ public:
+  /// Maps of the request's size.
+  virtual MatchResult run(const MatchRequest& request, const Context& context) const = 0;
+
+  /// The disparities that the file itself asks for, if it does.
+  virtual std::optional<Interval> disparities() const = 0;
+  virtual bool accepts_range_maps() const = 0;
+};
+
+}  // namespace xgm

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "xgm/pipeline/scene_inputs.hpp"
+
+#include <filesystem>
+
+#include "base/stopwatch.hpp"
+#include "xgm/base/error.hpp"
+
+namespace xgm {
+namespace {
+
+/// What is to be searched, as far as it is known before the images are.
+struct Search {
+  Interval interval{};  ///< unless there are range maps
+  std::string from;     ///< for people
+};
+
+void require_file(const std::string& file, const std::string& what, const std::string& remedy) {
+  std::error_code unusable;
+  if (file.empty() || std::filesystem::is_regular_file(file, unusable)) return;
+  throw UsageError(what + file + ": no such file; " + remedy);
+}
+
+/// A scene may be listed without them. What cannot go well is not begun.
+void require_images(const SceneFiles& scene) {
+  const PairFiles& images = scene.images;
+  const std::string what = "scene " + scene.name + " cannot be matched: ";
+  if (images.left.empty() || images.right.empty()) {
+    throw UsageError(what + "it has no " + (images.left.empty() ? "left" : "right") +
+                     " image; give both");
+  }
+  for (const std::string& file : {images.left, images.right, images.left_mask, images.right_mask}) {
+    require_file(file, what, "add it, or give the images with --left and --right");
+  }
+}
+
+void require_truth_files(const TruthFiles& files) {
+  for (const std::string& file : {files.disparity.file, files.reverse.file, files.visible.file,
+                                  files.non_occluded, files.objects}) {
+    require_file(file, "the truth: ", "check the path");
+  }
+}
+
+void require_truth_size(const GroundTruth& truth, cv::Size size) {
+  for (const cv::Mat& map : {cv::Mat(truth.disparity), cv::Mat(truth.reverse),
+                             cv::Mat(truth.non_occluded), cv::Mat(truth.objects)}) {
+    if (map.empty() || map.size() == size) continue;
+    throw UsageError("the truth is not of the images' size; give that of the same scene");
+  }
+}
+
+void require_range_maps(const RangeMapFiles& files, const Pipeline& pipeline) {
+  if (!pipeline.accepts_range_maps()) {
+    throw UsageError(
+        "--range-maps: this pipeline's matcher needs one range for the whole image; "
+        "use --disparities MIN:MAX or another pipeline");
+  }
+  for (const std::string& file : {files.min, files.max}) {
+    require_file(file, "--range-maps: ", "check the path");
+  }
+}
+
+/// What the scene itself says is to be searched.
+std::optional<Search> search_of(const SceneFiles& scene) {
+  if (!scene.disparities) return std::nullopt;
+  const std::string& file = scene.calibration_file;
+  return Search{*scene.disparities, file.empty() ? "data set " + scene.dataset : file};
+}
+
+std::optional<Search> search_of(const Scene& scene) {
+  if (!scene.disparities) return std::nullopt;
+  return Search{*scene.disparities, scene.name};
+}
+
+Search search_of(const SceneRequest& request, const Pipeline& pipeline) {
+  if (request.range_maps) return {{}, "range maps"};
+  if (request.disparities) return {*request.disparities, request.disparities_from};
+  const auto of_scene =
+      std::visit([](const auto& scene) { return search_of(scene); }, request.scene);
+  if (of_scene) return *of_scene;
+  if (pipeline.disparities()) return {*pipeline.disparities(), "pipeline"};
+  throw UsageError(
+      "nothing says which disparities to search; add --disparities MIN:MAX, or a line "
+      "ndisp=NUMBER to the scene's calib.txt, or 'disparities: [MIN, MAX]' to the pipeline");
+}
+
+std::string text_of(Interval interval) {
+  return std::to_string(interval.begin) + " to " + std::to_string(interval.end - 1);
+}
+
+DisparityRange read_range(const RangeMapFiles& files, Scene& scene) {
+  const cv::Size size = scene.pair.size();
+  DisparityRange range = read_range_maps(files.min, files.max);
+  if (range.size() != size) {
+    throw Error(files.min + ": is " + std::to_string(range.size().width) + " x " +
+                std::to_string(range.size().height) + " pixels but the images are " +
+                std::to_string(size.width) + " x " + std::to_string(size.height) +
+                "; range maps have the size of the left image");
+  }
+  scene.inputs.push_back({"smallest disparities", files.min, identify_file(files.min)});
+  scene.inputs.push_back({"largest disparities", files.max, identify_file(files.max)});
+  return range;
+}
+
+DisparityRange make_range(const Search& search, Scene& scene) {
+  const cv::Size size = scene.pair.size();
+  const Interval wanted = search.interval;
+  const Interval possible = clip_to_width(wanted, size.width);
+  if (possible.empty()) {
+    throw Error("disparities " + text_of(wanted) + " cannot be seen in images " +
+                std::to_string(size.width) + " px wide; give a smaller range with --disparities");
+  }
+  if (possible != wanted) {
+    scene.notes.push_back("disparities " + text_of(wanted) + " reach beyond images " +
+                          std::to_string(size.width) + " px wide: " + text_of(possible) +
+                          " are searched");
+  } else if (possible.size() >= size.width && size.width > 1) {
+    scene.notes.push_back("disparities " + text_of(wanted) + " (" + search.from +
+                          ") are as many as the image is wide; a narrower range is faster and "
+                          "safer: --disparities MIN:MAX");
+  }
+  return DisparityRange::uniform(size, possible);
+}
+
+void read_truth(const TruthFiles& files, Scene& scene) {
+  GroundTruth truth = load_truth(files, scene.pair.size());
+  if (truth.disparity.empty()) return;
+  require_judgeable(truth);
+  scene.truth = std::move(truth);
+  for (InputFile& file : identify_truth(files)) scene.inputs.push_back(std::move(file));
+}
+
+/// What comes with the scene is a help, no wish of the user: if it is of no use, the run goes on.
+void read_truth_of_scene(const SceneFiles& files, SceneInputs& inputs) {
+  try {
+    read_truth(files.truth, inputs.scene);
+  } catch (const Error& error) {
+    inputs.warnings.push_back("the scene's truth is not used: " + error.message());
+  }
+}
+
+}  // namespace
+
+void check_scene(const SceneRequest& request, const Pipeline& pipeline) {
+  if (const auto* files = std::get_if<SceneFiles>(&request.scene)) {
+    require_images(*files);
+  } else {
+    const Scene& scene = std::get<Scene>(request.scene);
+    require_sound(scene.pair);
+    require_truth_size(scene.truth, scene.pair.size());
+  }
+  if (request.truth) require_truth_files(*request.truth);
+  if (request.range_maps) require_range_maps(*request.range_maps, pipeline);
+  search_of(request, pipeline);
+}
+
+SceneInputs read_scene(const SceneRequest& request, const Pipeline& pipeline) {
+  check_scene(request, pipeline);
+  const Stopwatch reading;
+  const Search search = search_of(request, pipeline);
+  const auto* files = std::get_if<SceneFiles>(&request.scene);
+  Scene scene = files != nullptr ? load_scene(*files) : std::get<Scene>(request.scene);
+  DisparityRange range =
+      request.range_maps ? read_range(*request.range_maps, scene) : make_range(search, scene);
+  SceneInputs inputs{std::move(scene), std::move(range), search.from, request.memory_limit, {}};
+  if (request.truth) {
+    read_truth(*request.truth, inputs.scene);
+  } else if (files != nullptr) {
+    read_truth_of_scene(*files, inputs);
+  }
+  inputs.reading_seconds = reading.seconds();
+  return inputs;
+}
+
+}  // namespace xgm

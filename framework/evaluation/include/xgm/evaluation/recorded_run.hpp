@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs a pipeline on a scene and keeps all there is to know of the run in a folder: what
+// `pipeline run` does, for any program.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "xgm/base/export.hpp"
+#include "xgm/evaluation/explain_pixels.hpp"
+#include "xgm/evaluation/run_record.hpp"
+#include "xgm/pipeline/depth_files.hpp"
+#include "xgm/pipeline/scene_run.hpp"
+
+namespace xgm {
+
+/// What is to be kept.
+struct RecordRequest {
+  std::string folder;                       ///< made if it is missing
+  std::vector<Override> overrides{};        ///< that the pipeline was loaded with, for the record
+  std::vector<std::string> command_line{};  ///< for the record
+  std::string dump{};                       ///< pattern of stages; see Dumper
+  bool report = false;
+  ExplainPixels explained{};
+  DepthFiles depth{};
+  /// Told what is done now ("reading the images").
+  std::function<void(const std::string&)> tell = [](const std::string&) {};
+};
+
+struct RecordedRun {
+  SceneRun run;
+  RunRecord record;        ///< what run.json holds
+  DepthFiles depth;        ///< as they were written
+  std::size_t points = 0;  ///< of the cloud
+  std::string failure;     ///< why the map is of no use; empty if it has a disparity anywhere
+};
+
+/// Runs the pipeline and writes to the folder: disparity.pfm, disparity.png, status.png and, last,
+/// run.json; report.html, explain.json, dump/ and depths as far as they are asked for. A map that
+/// is empty is written, too, and `failure` says so. Throws UsageError for what is wrong before the
+/// images are matched, else Error; run.json is then missing.
+XGM_API RecordedRun record_scene(const Pipeline& pipeline, const SceneRequest& scene,
+                                 const RecordRequest& request, const RunOptions& options = {});
+
+}  // namespace xgm

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "record/doubts.hpp"
+
+#include <algorithm>
+
+#include "xgm/base/text.hpp"
+
+namespace xgm {
+namespace {
+
+// Of pixels with data, about a third of a scene is hidden or hard at most; swapped images, two that
+// do not belong together and a wrong range leave less than half.
+constexpr double kFewMatched = 0.5;
+// Within 1 px of an end of the range lie no disparities of a scene that fits into it, and a tenth
+// or more of them if it does not, or if the images are swapped.
+constexpr double kManyAtEnd = 0.05;
+constexpr int kShortRange = 16;  // where the ends are a good part of the range
+
+std::string percent(double share) { return fixed_number(100 * share, 2) + " %"; }
+
+double share_of(const RunRecord& record, Status status) {
+  return record.status_shares[static_cast<std::size_t>(status)];
+}
+
+/// Of the pixels with data; filled ones are guesses and tell nothing of the match.
+double matched_share(const RunRecord& record) {
+  return share_of(record, Status::matched) / (1 - share_of(record, Status::masked));
+}
+
+/// Of the matched pixels, the share within 1 px of `end`.
+double share_at(const DisparityMap& map, int end) {
+  const cv::Mat1b matched(map.status == static_cast<int>(Status::matched));
+  const cv::Mat1b near((map.disparity > end - 1.0) & (map.disparity < end + 1.0) & matched);
+  return cv::countNonZero(near) / std::max(1.0, static_cast<double>(cv::countNonZero(matched)));
+}
+
+}  // namespace
+
+std::vector<std::string> doubts(const DisparityMap& map, const RunRecord& record) {
+  std::vector<std::string> texts;
+  if (matched_share(record) < kFewMatched) {
+    texts.push_back("only " + percent(matched_share(record)) +
+                    " of the pixels were matched; see status.png for the reasons, and check that "
+                    "the images belong together, their order and the disparity range");
+  }
+  const Interval searched = record.disparities;
+  if (searched.size() < kShortRange) return texts;
+  const int last = searched.end - 1;
+  for (const int end : {searched.begin, last}) {
+    const double share = share_at(map, end);
+    if (share < kManyAtEnd) continue;
+    texts.push_back(percent(share) + " of the matched disparities lie at " + std::to_string(end) +
+                    ", where the search range " + std::to_string(searched.begin) + " to " +
+                    std::to_string(last) +
+                    " ends: does the scene reach beyond it, or are the images swapped?");
+  }
+  return texts;
+}
+
+}  // namespace xgm

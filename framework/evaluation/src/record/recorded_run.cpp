@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "xgm/evaluation/recorded_run.hpp"
+
+#include <filesystem>
+#include <memory>
+
+#include "record/doubts.hpp"
+#include "xgm/base/memory.hpp"
+#include "xgm/base/parallel.hpp"
+#include "xgm/evaluation/report.hpp"
+#include "xgm/io/file.hpp"
+#include "xgm/io/output_folder.hpp"
+#include "xgm/io/outputs.hpp"
+#include "xgm/io/write_maps.hpp"
+#include "xgm/stage/observers.hpp"
+
+namespace xgm {
+namespace {
+namespace fs = std::filesystem;
+
+std::string in(const std::string& folder, const char* name) {
+  return (fs::path(folder) / name).string();
+}
+
+/// All who watch the run for its record.
+class Watchers {
+ public:
+  Watchers(const RecordRequest& request, const Scene& scene, Observer* callers)
+      : dumper(in(request.folder, "dump"), request.dump) {
+    // A stage is recorded before the caller hears of it, and a dump that fails ends the run.
+    all.add(recorder);
+    if (callers != nullptr) all.add(*callers);
+    if (!request.dump.empty()) all.add(dumper);
+    if (request.report) all.add(levels);
+    if (request.explained.empty()) return;
+    explainer = make_explainer(request.explained, scene);
+    all.add(*explainer);
+  }
+
+  RunRecorder recorder;
+  Dumper dumper;
+  LevelCollector levels;
+  std::unique_ptr<Explainer> explainer;
+  Observers all;
+};
+
+void describe_run(RunRecord& record, const SceneRun& run, const Watchers& watchers) {
+  record.scene = run.scene.name;
+  record.inputs = run.scene.inputs;
+  record.size = run.scene.pair.size();
+  record.disparities = run.disparities;
+  record.disparities_from = run.disparities_from;
+  record.reading_seconds = run.reading_seconds;
+  record.matching_seconds = run.matching_seconds;
+  record.stages = watchers.recorder.stages();
+  record.warnings = run.warnings;
+  record.dumps = watchers.dumper.files();
+}
+
+void describe_map(RunRecord& record, const SceneRun& run) {
+  const DisparityMap& map = run.maps.forward;
+  record.valid_share = map.density();
+  record.status_shares = status_shares(map);
+  if (!run.scene.truth.disparity.empty()) {
+    record.truth = evaluate_regions(map, run.scene.truth, {.deltas = usual_thresholds()});
+  }
+  record.peak_memory_bytes = peak_memory();
+}
+
+std::string failure_of(const RunRecord& record) {
+  if (record.valid_share > 0) return {};
+  return "the map is empty: no pixel has a disparity; see status.png for the reasons, and check "
+         "the "
+         "order of the images and the disparity range (" +
+         std::to_string(record.disparities.begin) + " to " +
+         std::to_string(record.disparities.end - 1) + ")";
+}
+
+/// What is told of the run beside what its stages said.
+void add_warnings(RecordedRun& result, const RecordRequest& request, Observer* observer) {
+  std::vector<std::string> warnings;
+  if (!request.dump.empty() && result.record.dumps.empty()) {
+    warnings.push_back("--dump " + request.dump +
+                       ": no stage has such a path; run.json lists the paths");
+  }
+  if (result.failure.empty()) {
+    for (std::string& doubt : doubts(result.run.maps.forward, result.record)) {
+      warnings.push_back(std::move(doubt));
+    }
+  }
+  for (const std::string& warning : warnings) {
+    if (observer != nullptr) observer->log(LogLevel::warning, {}, warning);
+    result.record.warnings.push_back(warning);
+  }
+}
+
+void write_report(const std::string& folder, const RecordedRun& result, const Watchers& watchers,
+                  const std::string& explanations) {
+  const fs::path path(result.record.scene);
+  const std::string scene = (path.has_filename() ? path : path.parent_path()).filename().string();
+  ReportRun run{.name = fs::path(result.record.pipeline_file).stem().string(),
+                .record_json = to_json(result.record),
+                .map = result.run.maps.forward,
+                .levels = watchers.levels.levels(),
+                .explanations_json = explanations};
+  const std::string title = scene + ", " + run.name;
+  const Scene& seen = result.run.scene;
+  const Report report{title, {}, {{scene, seen.pair.base, seen.truth, {std::move(run)}}}};
+  write_file(in(folder, "report.html"), report_html(report));
+}
+
+void write_files(RecordedRun& result, const RecordRequest& request, const Watchers& watchers) {
+  std::error_code missing;  // an earlier run's record does not tell of the files written now
+  fs::remove(in(request.folder, "run.json"), missing);
+  const DisparityMap& map = result.run.maps.forward;
+  if (!result.depth.empty()) {
+    const Scene& scene = result.run.scene;
+    result.points = write_depth_files(result.depth, map, *scene.calibration, scene.pair.base);
+  }
+  const std::string explanations =
+      watchers.explainer ? to_json(watchers.explainer->explanations()) : "";
+  if (!explanations.empty()) write_file(in(request.folder, "explain.json"), explanations);
+  if (request.report) write_report(request.folder, result, watchers, explanations);
+  write_maps(request.folder, map);
+  write_file(in(request.folder, "run.json"), to_json(result.record));  // tells that all is there
+}
+
+}  // namespace
+
+RecordedRun record_scene(const Pipeline& pipeline, const SceneRequest& scene,
+                         const RecordRequest& request, const RunOptions& options) {
+  check_scene(scene, pipeline);
+  const DepthFiles depth = check_depth_files(request.depth, scene);
+  make_output_folder(request.folder, "--output ");
+  request.tell("reading the images");
+  SceneInputs inputs = read_scene(scene, pipeline);
+  Watchers watchers(request, inputs.scene, options.observer);
+  RunOptions watched = options;
+  watched.observer = &watchers.all;
+  request.tell("matching");
+  RecordedRun result{match_scene(pipeline, std::move(inputs), watched), {}, depth, 0, {}};
+  request.tell("writing the results");
+  RunRecord& record = result.record;
+  record.pipeline_file = pipeline.file();
+  record.resolved_pipeline = pipeline.resolved_json();
+  record.overrides = request.overrides;
+  record.command_line = request.command_line;
+  record.threads = options.threads > 0 ? options.threads : thread_count();
+  describe_run(record, result.run, watchers);
+  describe_map(record, result.run);
+  result.failure = failure_of(record);
+  add_warnings(result, request, options.observer);
+  write_files(result, request, watchers);
+  return result;
+}
+
+}  // namespace xgm

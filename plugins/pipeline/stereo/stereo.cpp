@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// The top of a stereo pipeline's file: preprocess, matcher, postprocess.
+#include <cmath>
+
+#include "xgm/base/aligned_buffer.hpp"
+#include "xgm/base/memory.hpp"
+#include "xgm/plugin.hpp"
+
+namespace {
+
+// Widest bound of disparities that a file may ask for; keeps sums of bounds within an int.
+constexpr double kMaxDisparity = 1e6;
+
+class Stereo final : public xgm::StereoFamily {
+ public:
+  struct Parameters {
+    std::vector<double> disparities;
+    xgm::SlotList<xgm::Preprocess> preprocess;
+    xgm::Slot<xgm::Matcher> matcher;
+    xgm::SlotList<xgm::Filter> postprocess;
+  };
+
+  static void describe(Parameters& p, xgm::ParameterSet& set) {
+    set.add("disparities", p.disparities,
+            "Search range [first, last], both included, when neither the command line nor the "
+            "scene gives one.")
+        .unit("px")
+        .range(-kMaxDisparity, kMaxDisparity);
+    set.add("preprocess", p.preprocess, "What is done to the images before matching, in order.");
+    set.add("matcher", p.matcher, "Finds the disparity map.");
+    set.add("postprocess", p.postprocess, "What is done to the finished maps, in order.");
+    set.rule({"disparities"}, "must be two whole numbers, the first not above the second", [&p] {
+      const auto& d = p.disparities;
+      const auto whole = [](double v) { return v == std::floor(v); };
+      return d.empty() || (d.size() == 2 && whole(d[0]) && whole(d[1]) && d[0] <= d[1]);
+    });
+  }
+
+  explicit Stereo(Parameters parameters) : stages_(std::move(parameters)) {}
+
+  std::optional<xgm::Interval> disparities() const override {
+    const auto& d = stages_.disparities;
+    if (d.empty()) return std::nullopt;
+    return xgm::Interval{static_cast<int>(d[0]), static_cast<int>(d[1]) + 1};
+  }
+
+  bool accepts_range_maps() const override { return stages_.matcher->accepts_range_maps(); }
+
+  xgm::MatchResult run(const xgm::MatchRequest& request,
+                       const xgm::Context& context) const override {
+    xgm::MatchRequest prepared = request;
+    for (const auto& stage : stages_.preprocess) {
+      prepared.pair = stage(context.part(0, 0.03), prepared.pair);
+    }
+    if (!stages_.preprocess.empty()) xgm::trim_heap();  // key points leave hundreds of MB behind
+    xgm::MatchResult result = match(prepared, context.part(0.03, 0.95));
+    const xgm::Context rest = context.part(0.95, 1);
+    for (const auto& stage : stages_.postprocess) {
+      result.forward = stage(rest, result.forward, prepared.pair);
+      if (!result.reverse) continue;
+      result.reverse = stage(rest.other_view(), *result.reverse, prepared.pair.swapped());
+    }
+    return result;
+  }
+
+ private:
+  /// A function of its own so that what volumes leave for each other is gone before the maps are
+  /// worked on.
+  xgm::MatchResult match(const xgm::MatchRequest& request, const xgm::Context& context) const {
+    const xgm::BufferReuse reuse;
+    return stages_.matcher(context, request);
+  }
+
+  Parameters stages_;
+};
+
+}  // namespace
+
+XGM_PLUGIN(registry) {
+  registry.add<Stereo>("stereo",
+                       "Matches one image pair: preprocess, matcher, postprocess. What a file "
+                       "without 'type' is.");
+}
