@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The inner step in vectors, for the SIMD target that is being compiled. Up to four paths advance
-// together: their minima, the only thing that one block waits for another with, are reduced at once.
+// together: their minima, the only thing that one block waits for another with, are reduced at
+// once.
 #if defined(XGM_AGGREGATION_PIXEL_STEP_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef XGM_AGGREGATION_PIXEL_STEP_INL_HPP
 #undef XGM_AGGREGATION_PIXEL_STEP_INL_HPP
