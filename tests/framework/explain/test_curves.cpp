@@ -59,9 +59,9 @@ std::optional<int> naive_runner_up(const std::vector<float>& sums, Interval rang
 /// The shapes of the volumes that a run makes, by the path of their stage.
 class Shapes : public Observer {
  public:
-  void stage_end(const std::string& path, const StageStatistics&, const Artifact& result) override {
+  void stage_end(const StagePlace& place, const StageStatistics&, const Artifact& result) override {
     if (const auto* costs = std::get_if<const CostVolume*>(&result)) {
-      shapes.emplace(path, (*costs)->shape_ptr());
+      shapes.emplace(place.path, (*costs)->shape_ptr());
     }
   }
   std::map<std::string, VolumeShapePtr> shapes;

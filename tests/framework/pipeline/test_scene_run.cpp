@@ -51,8 +51,8 @@ struct Files : TemporaryFolder {
 
 struct Listener : Observer {
   std::vector<std::string> told;
-  void log(LogLevel level, const std::string& path, const std::string& text) override {
-    told.push_back((level == LogLevel::warning ? "warning " : "note ") + path + "|" + text);
+  void log(LogLevel level, const StagePlace& place, const std::string& text) override {
+    told.push_back((level == LogLevel::warning ? "warning " : "note ") + place.path + "|" + text);
   }
 };
 

@@ -73,9 +73,8 @@ bool Dumper::wants(const std::string& stage_path) const {
          (pattern_ == stage_path || fnmatch(pattern_.c_str(), stage_path.c_str(), 0) == 0);
 }
 
-void Dumper::stage_end(const std::string& stage_path, const StageStatistics&,
-                       const Artifact& result) {
-  if (wants(stage_path)) write(stage_path, result);
+void Dumper::stage_end(const StagePlace& place, const StageStatistics&, const Artifact& result) {
+  if (wants(place.path)) write(place.path, result);
 }
 
 void Dumper::write(const std::string& stage_path, const Artifact& result) {

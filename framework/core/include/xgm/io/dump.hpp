@@ -32,7 +32,7 @@ class XGM_API Dumper final : public Observer {
   Dumper(std::string folder, std::string pattern);
 
   bool wants(const std::string& stage_path) const;
-  void stage_end(const std::string& stage_path, const StageStatistics& statistics,
+  void stage_end(const StagePlace& place, const StageStatistics& statistics,
                  const Artifact& result) override;
   /// Throws Error if a file cannot be written.
   void write(const std::string& stage_path, const Artifact& result);
