@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "record/inputs_json.hpp"
 
+#include "xgm/base/error.hpp"
 #include "xgm/evaluation/run_record.hpp"
 
 namespace xgm {
