@@ -2,6 +2,7 @@
 // The subcommands, and what each tells the program.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,10 @@ struct Invocation {
   std::vector<std::string> arguments;
   int exit_code = kOk;
 };
+
+/// Adds a subcommand; `body` does its work and returns the exit code.
+CLI::App& add_command(CLI::App& app, Invocation& call, const std::string& name,
+                      const std::string& text, std::function<int()> body);
 
 /// Every subcommand adds itself, and leaves its exit code in `call`.
 void add_run(CLI::App& app, Invocation& call);

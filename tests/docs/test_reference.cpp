@@ -33,13 +33,12 @@ std::string kind_of(const Field& field) {
 std::string places(const std::string& kind) {
   std::string text;
   const auto add = [&](const std::string& place) { text += (text.empty() ? "" : ", ") + place; };
-  if (kind == "preprocess") add("`preprocess` of the file");
-  if (kind == "matcher") add("`matcher` of the file");
-  if (kind == "filter") add("`postprocess` of the file");
   for (const PluginInfo* plugin : builtins().plugins()) {
     const auto prototype = plugin->prototype();
     for (const Field& field : prototype->parameters().fields()) {
-      if (kind_of(field) == kind) add("`" + field.name + "` of `" + plugin->name + "`");
+      if (kind_of(field) != kind) continue;
+      const bool top = plugin->kind == PipelineFamily::kKind;
+      add("`" + field.name + "` of " + (top ? "the file" : "`" + plugin->name + "`"));
     }
   }
   return text;
@@ -54,6 +53,11 @@ std::string page(const std::string& kind, const std::string& text) {
         "It is not a stage of a pipeline. It recognises its folders itself, or is selected by "
         "`--dataset` or by a file `dataset.yaml` beside the data: [Data "
         "sets](../data_sets.md).\n\n";
+  } else if (kind == PipelineFamily::kKind) {
+    page += "A plugin of this kind " + text +
+            ": its parameters are the keys there. A file names it with "
+            "`type: NAME`; without `type` it is `" +
+            std::string(PipelineFamily::kDefault) + "`.\n\n";
   } else {
     page += article + kind + " stage " + text + ".\n\n";
     page += "In a pipeline: " + places(kind) + ".\n\n";
@@ -67,7 +71,7 @@ std::string page(const std::string& kind, const std::string& text) {
 
 std::string index() {
   std::string text = kNote + std::string("\n# Reference of the plugins\n");
-  for (const auto& [kind, meaning] : Registry::kinds()) {
+  for (const auto& [kind, meaning] : builtins().kinds()) {
     text += "\n**[" + kind + "](" + kind + ".md)** " + meaning + "\n";
     for (const PluginInfo* plugin : builtins().plugins(kind)) {
       text += "- [`" + plugin->name + "`](" + kind + ".md#" + plugin->name +
@@ -80,7 +84,7 @@ std::string index() {
 // File name to content.
 std::map<std::string, std::string> pages() {
   std::map<std::string, std::string> pages{{"README.md", index()}};
-  for (const auto& [kind, meaning] : Registry::kinds()) pages[kind + ".md"] = page(kind, meaning);
+  for (const auto& [kind, meaning] : builtins().kinds()) pages[kind + ".md"] = page(kind, meaning);
   return pages;
 }
 

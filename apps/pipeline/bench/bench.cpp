@@ -3,7 +3,6 @@
 #include "xgm/evaluation/bench.hpp"
 
 #include <spdlog/spdlog.h>
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -221,10 +220,10 @@ int bench(const BenchOptions& options) {
 
 void add_bench(CLI::App& app, Invocation& call) {
   auto options = std::make_shared<BenchOptions>();
-  CLI::App* command =
-      app.add_subcommand("bench", "Run pipelines on the scenes of data sets, and compare them");
-  add_bench_options(*command, *options);
-  command->callback([options, &call] { call.exit_code = bench(*options); });
+  add_bench_options(
+      add_command(app, call, "bench", "Run pipelines on the scenes of data sets, and compare them",
+                  [options] { return bench(*options); }),
+      *options);
 }
 
 }  // namespace xgm::cli

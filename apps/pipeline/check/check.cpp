@@ -35,13 +35,13 @@ int check(const Options& options) {
 
 void add_check(CLI::App& app, Invocation& call) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("check", "Check pipeline files; opens no image");
-  command->add_option("pipelines", options->pipelines, "Pipeline files or names of shipped ones")
+  CLI::App& command = add_command(app, call, "check", "Check pipeline files; opens no image",
+                                  [options] { return check(*options); });
+  command.add_option("pipelines", options->pipelines, "Pipeline files or names of shipped ones")
       ->type_name("PIPELINE...")
       ->required();
-  add_set_option(*command, options->assignments);
-  add_plugin_options(*command, options->plugins);
-  command->callback([options, &call] { call.exit_code = check(*options); });
+  add_set_option(command, options->assignments);
+  add_plugin_options(command, options->plugins);
 }
 
 }  // namespace xgm::cli

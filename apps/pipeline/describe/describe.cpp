@@ -37,15 +37,15 @@ int describe(const Options& options) {
 
 void add_describe(CLI::App& app, Invocation& call) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("describe", "Describe a plugin and its parameters");
+  CLI::App& command = add_command(app, call, "describe", "Describe a plugin and its parameters",
+                                  [options] { return describe(*options); });
   command
-      ->add_option("plugin", options->plugin,
-                   "Name, or KIND/NAME; if several kinds have the name, all are shown")
+      .add_option("plugin", options->plugin,
+                  "Name, or KIND/NAME; if several kinds have the name, all are shown")
       ->type_name("PLUGIN")
       ->required();
-  command->add_flag("--json", options->json, "For programs: an object, or a list if several match");
-  add_plugin_options(*command, options->plugins);
-  command->callback([options, &call] { call.exit_code = describe(*options); });
+  command.add_flag("--json", options->json, "For programs: an object, or a list if several match");
+  add_plugin_options(command, options->plugins);
 }
 
 }  // namespace xgm::cli

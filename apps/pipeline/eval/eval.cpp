@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // pipeline eval: how good is a disparity map?
 #include <spdlog/spdlog.h>
-#include <CLI/CLI.hpp>
 
 #include <filesystem>
 #include <iostream>
@@ -153,9 +152,9 @@ int eval(const EvalOptions& options) {
 
 void add_eval(CLI::App& app, Invocation& call) {
   auto options = std::make_shared<EvalOptions>();
-  CLI::App* command = app.add_subcommand("eval", "Compare a disparity map with the truth");
-  add_eval_options(*command, *options);
-  command->callback([options, &call] { call.exit_code = eval(*options); });
+  add_eval_options(add_command(app, call, "eval", "Compare a disparity map with the truth",
+                               [options] { return eval(*options); }),
+                   *options);
 }
 
 }  // namespace xgm::cli

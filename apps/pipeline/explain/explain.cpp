@@ -34,12 +34,12 @@ void print(const Options& options, const Explanation& explanation) {
   if (!options.json.empty()) write_file(options.json, to_json(explanation));
 }
 
-int explain_checked(const Options& options, const Pipeline& pipeline, const SceneRequest& request,
+int explain_checked(const Options& options, const Pipeline& pipeline, const Registry& registry,
                     const ExplainPixels& pixels) {
   Progress progress;
   progress.begin("reading the images");
   limit_memory(available_memory());
-  SceneInputs inputs = read_scene(request, pipeline);
+  SceneInputs inputs = read_scene(scene_request(options, registry), pipeline);
   const auto explainer = make_explainer(pixels, inputs.scene);
   TerminalObserver terminal(progress);
   Observers observers;
@@ -73,11 +73,10 @@ int explain(Options options) {
   const auto pipeline =
       load_named(options.pipeline, registry, parse_overrides(options.assignments));
   if (!pipeline) return kUsage;
-  return explain_checked(options, *pipeline, scene_request(options, registry), pixels);
+  return explain_checked(options, *pipeline, registry, pixels);
 }
 
-void add_explain_options(CLI::App& command, SceneOptions& options,
-                         std::vector<std::string>& place) {
+void add_explain_options(CLI::App& command, Options& options) {
   add_pipeline(command, options);
   auto* pixel =
       command
@@ -101,15 +100,15 @@ void add_explain_options(CLI::App& command, SceneOptions& options,
 
 void add_explain(CLI::App& app, Invocation& call) {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      app.add_subcommand("explain", "Say why one pixel has its disparity, or none, stage by stage");
-  add_explain_options(*command, *options);
+  CLI::App& command = add_command(app, call, "explain",
+                                  "Say why one pixel has its disparity, or none, stage by stage",
+                                  [options] { return explain(*options); });
+  add_explain_options(command, *options);
   command
-      ->add_option("--json", options->json,
-                   "Also write all of it, complete curves included, for programs; '-' for stdout, "
-                   "in place of the text")
+      .add_option("--json", options->json,
+                  "Also write all of it, complete curves included, for programs; '-' for stdout, "
+                  "in place of the text")
       ->type_name("FILE|-");
-  command->callback([options, &call] { call.exit_code = explain(*options); });
 }
 
 }  // namespace xgm::cli

@@ -30,13 +30,13 @@ int graph(const Options& options) {
 
 void add_graph(CLI::App& app, Invocation& call) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("graph", "Show a pipeline as a tree of stages");
-  command->add_option("pipeline", options->pipeline, "Pipeline file or name of a shipped one")
+  CLI::App& command = add_command(app, call, "graph", "Show a pipeline as a tree of stages",
+                                  [options] { return graph(*options); });
+  command.add_option("pipeline", options->pipeline, "Pipeline file or name of a shipped one")
       ->type_name("PIPELINE")
       ->required();
-  add_set_option(*command, options->assignments);
-  add_plugin_options(*command, options->plugins);
-  command->callback([options, &call] { call.exit_code = graph(*options); });
+  add_set_option(command, options->assignments);
+  add_plugin_options(command, options->plugins);
 }
 
 }  // namespace xgm::cli

@@ -42,12 +42,12 @@ int list(const Options& options) {
 
 void add_list(CLI::App& app, Invocation& call) {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      app.add_subcommand("list", "List plugins: kind, name, what it does, where it comes from");
-  command->add_option("kind", options->kind, "Only this kind (cost, filter, matcher, ...)")
+  CLI::App& command =
+      add_command(app, call, "list", "List plugins: kind, name, what it does, where it comes from",
+                  [options] { return list(*options); });
+  command.add_option("kind", options->kind, "Only this kind (cost, filter, matcher, ...)")
       ->type_name("KIND");
-  add_plugin_options(*command, options->plugins);
-  command->callback([options, &call] { call.exit_code = list(*options); });
+  add_plugin_options(command, options->plugins);
 }
 
 }  // namespace xgm::cli

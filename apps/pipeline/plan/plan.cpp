@@ -183,7 +183,7 @@ int plan(const Options& options) {
   return kOk;
 }
 
-void add_plan_options(CLI::App& command, SceneOptions& options, std::string& size) {
+void add_plan_options(CLI::App& command, Options& options) {
   add_pipeline(command, options);
   add_scene_or_images(command, options);
   auto* range_maps = add_search(command, options);
@@ -200,11 +200,11 @@ void add_plan_options(CLI::App& command, SceneOptions& options, std::string& siz
 
 void add_plan(CLI::App& app, Invocation& call) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("plan", "Predict the memory and the time of a run");
-  add_plan_options(*command, *options);
-  command->add_flag("--stages", options->all_stages, "Show every stage of every level and view");
-  command->add_flag("--json", options->json, "For programs: all stages, as an object");
-  command->callback([options, &call] { call.exit_code = plan(*options); });
+  CLI::App& command = add_command(app, call, "plan", "Predict the memory and the time of a run",
+                                  [options] { return plan(*options); });
+  add_plan_options(command, *options);
+  command.add_flag("--stages", options->all_stages, "Show every stage of every level and view");
+  command.add_flag("--json", options->json, "For programs: all stages, as an object");
 }
 
 }  // namespace xgm::cli

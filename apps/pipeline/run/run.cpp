@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // pipeline run: match a pair of images.
 #include <spdlog/spdlog.h>
-#include <CLI/CLI.hpp>
 
 #include <memory>
 
@@ -18,14 +17,30 @@
 namespace xgm::cli {
 namespace {
 
-int run_checked(const Pipeline& pipeline, const SceneRequest& scene, RecordRequest request,
-                int threads) {
+RecordRequest record_request(const RunCommandOptions& options) {
+  return {.folder = options.output,
+          .overrides = parse_overrides(options.assignments),
+          .dump = options.dump,
+          .report = options.report,
+          .explained = parse_explain(options.explain),
+          .depth = {options.cloud, options.depth}};
+}
+
+int run(const RunCommandOptions& options, const std::vector<std::string>& command_line) {
+  set_up_logging(options.log_level);
+  RecordRequest request = record_request(options);
+  request.command_line = command_line;
+  const Registry registry = make_registry(options.plugins);
+  const auto pipeline = load_named(options.pipeline, registry, request.overrides);
+  if (!pipeline) return kUsage;
   Progress progress;
   TerminalObserver observer(progress);
   request.tell = [&](const std::string& what) { progress.begin(what); };
+  request.tell("reading the images");  // or making the sample pair
+  const SceneRequest scene = scene_request(options, registry);
   limit_memory(available_memory());
-  const RecordedRun result =
-      record_scene(pipeline, scene, request, {.observer = &observer, .threads = threads});
+  const RecordedRun result = record_scene(
+      *pipeline, scene, request, {.observer = &observer, .threads = use_threads(options.threads)});
   progress.end();
   print_summary(result, request);
   if (result.failure.empty()) return kOk;
@@ -33,31 +48,13 @@ int run_checked(const Pipeline& pipeline, const SceneRequest& scene, RecordReque
   return kFailed;
 }
 
-int run(const RunCommandOptions& options, const std::vector<std::string>& command_line) {
-  set_up_logging(options.log_level);
-  const std::vector<Override> overrides = parse_overrides(options.assignments);
-  const Registry registry = make_registry(options.plugins);
-  const auto pipeline = load_named(options.pipeline, registry, overrides);
-  if (!pipeline) return kUsage;
-  const SceneRequest scene = scene_request(options, registry);
-  return run_checked(*pipeline, scene,
-                     {.folder = options.output,
-                      .overrides = overrides,
-                      .command_line = command_line,
-                      .dump = options.dump,
-                      .report = options.report,
-                      .explained = parse_explain(options.explain),
-                      .depth = {options.cloud, options.depth}},
-                     use_threads(options.threads));
-}
-
 }  // namespace
 
 void add_run(CLI::App& app, Invocation& call) {
   auto options = std::make_shared<RunCommandOptions>();
-  CLI::App* command = app.add_subcommand("run", "Match a pair of images");
-  add_run_options(*command, *options);
-  command->callback([options, &call] { call.exit_code = run(*options, call.arguments); });
+  add_run_options(add_command(app, call, "run", "Match a pair of images",
+                              [options, &call] { return run(*options, call.arguments); }),
+                  *options);
 }
 
 }  // namespace xgm::cli

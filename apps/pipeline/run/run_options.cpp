@@ -6,7 +6,7 @@
 namespace xgm::cli {
 namespace {
 
-void add_depth(CLI::App& command, SceneOptions& options) {
+void add_depth(CLI::App& command, RunCommandOptions& options) {
   command
       .add_option("--cloud", options.cloud,
                   "Also write the points, coloured, in mm (binary PLY), and their depths; the "

@@ -93,15 +93,15 @@ int list_scenes(const Options& options) {
 
 void add_scenes(CLI::App& app, Invocation& call) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand(
-      "scenes", "List the scenes in a folder, what is known of them and what is missing");
-  command->add_option("folder", options->folder, "A scene, or a folder of scenes")
+  CLI::App& command = add_command(
+      app, call, "scenes", "List the scenes in a folder, what is known of them and what is missing",
+      [options] { return list_scenes(*options); });
+  command.add_option("folder", options->folder, "A scene, or a folder of scenes")
       ->type_name("FOLDER")
       ->required();
-  add_dataset_option(*command, options->dataset);
-  command->add_flag("--json", options->json, "For programs: a list of objects");
-  add_plugin_options(*command, options->plugins);
-  command->callback([options, &call] { call.exit_code = list_scenes(*options); });
+  add_dataset_option(command, options->dataset);
+  command.add_flag("--json", options->json, "For programs: a list of objects");
+  add_plugin_options(command, options->plugins);
 }
 
 }  // namespace xgm::cli

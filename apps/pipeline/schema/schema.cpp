@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // pipeline schema: JSON Schema of pipeline files, for editors.
-#include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
 
@@ -10,16 +9,17 @@
 
 namespace xgm::cli {
 
-void add_schema(CLI::App& app, Invocation&) {
+void add_schema(CLI::App& app, Invocation& call) {
   auto plugins = std::make_shared<PluginOptions>();
-  CLI::App* command = app.add_subcommand(
-      "schema", "Print the JSON Schema of pipeline files, by which editors complete and check");
-  add_plugin_options(*command, *plugins);
-  command->callback([plugins] {
-    std::string text = pipeline_schema(make_registry(*plugins));
-    while (text.ends_with('\n')) text.pop_back();
-    std::cout << text << '\n';
-  });
+  CLI::App& command = add_command(
+      app, call, "schema",
+      "Print the JSON Schema of pipeline files, by which editors complete and check", [plugins] {
+        std::string text = pipeline_schema(make_registry(*plugins));
+        while (text.ends_with('\n')) text.pop_back();
+        std::cout << text << '\n';
+        return kOk;
+      });
+  add_plugin_options(command, *plugins);
 }
 
 }  // namespace xgm::cli

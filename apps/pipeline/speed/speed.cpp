@@ -79,16 +79,13 @@ int speed(const Options& options) {
   const Registry registry = make_registry(options.plugins);
   plan.pipelines = load_pipelines(options, registry);
   if (plan.pipelines.empty()) return kUsage;
-  const Pipeline& first = plan.pipelines.front().pipeline;
-  const SceneRequest scene = scene_request(options, registry);
-  check_scene(scene, first);
   if (!options.json.empty() && options.json != "-") {
     require_writable(std::filesystem::path(options.json).parent_path().string(), "--json ");
   }
-  set_opencv_threads(plan.threads);
   Progress progress;
   progress.begin("reading the images");
-  SceneInputs inputs = read_scene(scene, first);
+  SceneInputs inputs =
+      read_scene(scene_request(options, registry), plan.pipelines.front().pipeline);
   show_notes(inputs);
   const MatchRequest request{std::move(inputs.scene.pair), inputs.range, {}};
   const SpeedResult result =
@@ -98,7 +95,7 @@ int speed(const Options& options) {
   return kOk;
 }
 
-void add_speed_options(CLI::App& command, SceneOptions& options) {
+void add_speed_options(CLI::App& command, Options& options) {
   command
       .add_option("pipelines", options.pipeline,
                   "Pipeline files or names of shipped ones, separated by commas")
@@ -140,11 +137,12 @@ void add_race_options(CLI::App& command, Options& options) {
 void add_speed(CLI::App& app, Invocation& call) {
   auto options = std::make_shared<Options>();
   options->opencv = {"all"};
-  CLI::App* command = app.add_subcommand(
-      "speed", "Time pipelines, stage by stage, and OpenCV's StereoSGBM on the same pair");
-  add_speed_options(*command, *options);
-  add_race_options(*command, *options);
-  command->callback([options, &call] { call.exit_code = speed(*options); });
+  CLI::App& command =
+      add_command(app, call, "speed",
+                  "Time pipelines, stage by stage, and OpenCV's StereoSGBM on the same pair",
+                  [options] { return speed(*options); });
+  add_speed_options(command, *options);
+  add_race_options(command, *options);
 }
 
 }  // namespace xgm::cli

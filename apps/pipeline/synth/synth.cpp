@@ -148,24 +148,24 @@ void add_scene_options(CLI::App& command, SynthOptions& options) {
 
 void add_synth(CLI::App& app, Invocation& call) {
   auto options = std::make_shared<SynthOptions>();
-  CLI::App* command =
-      app.add_subcommand("synth", "Generate scenes with exact truth, and with faults if wanted");
-  command->add_option("output", options->folder, "Folder for scene_0001, scene_0002, ...")
+  CLI::App& command =
+      add_command(app, call, "synth", "Generate scenes with exact truth, and with faults if wanted",
+                  [options] { return synth(*options); });
+  command.add_option("output", options->folder, "Folder for scene_0001, scene_0002, ...")
       ->type_name("OUTPUT_DIR")
       ->required();
-  add_scene_options(*command, *options);
-  command->add_option("--fault", options->faults, "What shall be wrong with the images; see below")
+  add_scene_options(command, *options);
+  command.add_option("--fault", options->faults, "What shall be wrong with the images; see below")
       ->type_name("NAME[=VALUE] ...");
-  command->add_option("--bits", options->bits, "Of the images, 8 or 16")
+  command.add_option("--bits", options->bits, "Of the images, 8 or 16")
       ->type_name("N")
       ->check(CLI::IsMember({8, 16}))
       ->capture_default_str();
-  command->add_flag("--grey", options->grey, "Images of one channel");
-  command->add_flag("--force", options->force,
-                    "Write into a folder that is not empty, and replace scenes of the same names");
-  add_threads_option(*command, options->threads);
-  command->footer(fault_help());
-  command->callback([options, &call] { call.exit_code = synth(*options); });
+  command.add_flag("--grey", options->grey, "Images of one channel");
+  command.add_flag("--force", options->force,
+                   "Write into a folder that is not empty, and replace scenes of the same names");
+  add_threads_option(command, options->threads);
+  command.footer(fault_help());
 }
 
 }  // namespace xgm::cli
