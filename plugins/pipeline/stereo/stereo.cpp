@@ -49,10 +49,7 @@ class Stereo final : public xgm::StereoFamily {
   xgm::MatchResult run(const xgm::MatchRequest& request,
                        const xgm::Context& context) const override {
     xgm::MatchRequest prepared = request;
-    for (const auto& stage : stages_.preprocess) {
-      prepared.pair = stage(context.part(0, 0.03), prepared.pair);
-    }
-    if (!stages_.preprocess.empty()) xgm::trim_heap();  // key points leave hundreds of MB behind
+    prepared.pair = preprocess(request.pair, context.part(0, 0.03));
     xgm::MatchResult result = match(prepared, context.part(0.03, 0.95));
     const xgm::Context rest = context.part(0.95, 1);
     for (const auto& stage : stages_.postprocess) {
@@ -64,6 +61,18 @@ class Stereo final : public xgm::StereoFamily {
   }
 
  private:
+  /// Key points leave hundreds of MB in the heap, also if the run is cancelled meanwhile.
+  struct HeapTrimmed {
+    ~HeapTrimmed() { xgm::trim_heap(); }
+  };
+
+  xgm::ImagePair preprocess(xgm::ImagePair pair, const xgm::Context& context) const {
+    if (stages_.preprocess.empty()) return pair;
+    const HeapTrimmed trimmed;
+    for (const auto& stage : stages_.preprocess) pair = stage(context, pair);
+    return pair;
+  }
+
   /// A function of its own so that what volumes leave for each other is gone before the maps are
   /// worked on.
   xgm::MatchResult match(const xgm::MatchRequest& request, const xgm::Context& context) const {

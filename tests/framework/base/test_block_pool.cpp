@@ -12,10 +12,12 @@
 #include <cstring>
 #include <limits>
 #include <new>
+#include <thread>
 #include <vector>
 
 #include "xgm/base/aligned_buffer.hpp"
 #include "xgm/base/memory.hpp"
+#include "xgm/base/parallel.hpp"
 
 using namespace xgm;
 
@@ -182,23 +184,75 @@ TEST_CASE("without memory: std::bad_alloc, but first the free blocks are dropped
   CHECK_THROWS_AS(pool.take(SIZE_MAX / 4), std::bad_alloc);
 }
 
+namespace {
+
+constexpr std::size_t kVolume = 64 * kMega;
+
+void use_volume() {
+  const AlignedBuffer cells = new_buffer(kVolume);
+  std::memset(cells.get(), 1, kVolume);
+}
+
+template <class Body>
+void in_another_thread(Body body) {
+  std::thread(body).join();
+}
+
+}  // namespace
+
 TEST_CASE("volumes reuse memory while a BufferReuse lives, and give it back afterwards") {
-  constexpr std::size_t kBytes = 64 * kMega;
-  const auto use = [] {
-    const AlignedBuffer cells = new_buffer(kBytes);
-    std::memset(cells.get(), 1, kBytes);
-  };
-  use();
-  CHECK(faults_of(use) > 2);  // nothing is kept outside of runs
+  use_volume();
+  CHECK(faults_of(use_volume) > 2);  // nothing is kept outside of runs
   const std::uint64_t before = resident_memory();
   {
     const BufferReuse run;
-    use();
-    { const BufferReuse another_run; }
-    CHECK(faults_of(use) <= kFewFaults);
-    CHECK(resident_memory() > before + kBytes / 2);
+    use_volume();
+    {
+      const BufferReuse part_of_it;
+      CHECK(faults_of(use_volume) <= kFewFaults);
+    }
+    CHECK(faults_of(use_volume) <= kFewFaults);
+    CHECK(resident_memory() > before + kVolume / 2);
   }
-  CHECK(resident_memory() < before + kBytes / 2);
+  CHECK(resident_memory() < before + kVolume / 2);
+}
+
+TEST_CASE("memory that a run keeps is used by the threads of its loops, and by no other run") {
+  const ThreadLimit threads(2);
+  const BufferReuse run;
+  parallel_for(0, 2, [](int) { use_volume(); });
+  CHECK(faults_of([] { parallel_for(0, 1, [](int) { use_volume(); }); }) <= kFewFaults);
+  in_another_thread([] {
+    CHECK(faults_of(use_volume) > 2);
+    const BufferReuse other_run;
+    CHECK(faults_of(use_volume) > 2);
+  });
+  CHECK(faults_of(use_volume) <= kFewFaults);
+}
+
+TEST_CASE("a volume that another thread frees comes back to the run that it is from") {
+  const BufferReuse run;
+  AlignedBuffer cells = new_buffer(kVolume);
+  std::memset(cells.get(), 1, kVolume);
+  in_another_thread([&] {
+    const BufferReuse other_run;
+    cells.reset();
+    CHECK(faults_of(use_volume) > 2);
+  });
+  CHECK(faults_of(use_volume) <= kFewFaults);
+}
+
+TEST_CASE("a volume that outlives its run is freed by any thread, to the system") {
+  AlignedBuffer kept;
+  const std::uint64_t before = resident_memory();
+  {
+    const BufferReuse run;
+    kept = new_buffer(kVolume);
+    std::memset(kept.get(), 1, kVolume);
+  }
+  CHECK(resident_memory() > before + kVolume / 2);
+  in_another_thread([&] { kept.reset(); });
+  CHECK(resident_memory() < before + kVolume / 2);
 }
 
 TEST_CASE("cells of any size are aligned, and may outlive a run") {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <atomic>
 #include <chrono>
+#include <stop_token>
 #include <thread>
 #include <vector>
 
+#include "base/run_state.hpp"
 #include "support/support.hpp"
 #include "xgm/base/parallel.hpp"
 
@@ -89,4 +91,89 @@ TEST_CASE("two threads have a front each, until they have met") {
     if (begun == 2) ++met;
   });
   CHECK(met == 2);
+}
+
+namespace {
+
+/// While it lives, this thread's run can be cancelled.
+struct StoppableRun {
+  std::stop_source stop;
+  RunChange change{RunState{.stop = stop.get_token()}};
+};
+
+}  // namespace
+
+TEST_CASE("parallel_for ends with Cancelled and begins nothing more when its run is cancelled") {
+  for (const int threads : {1, 2, 3, 8}) {
+    const xgm::ThreadLimit guard(threads);
+    StoppableRun run;
+    std::atomic<int> calls{0};
+    const auto body = [&](int i) {
+      ++calls;
+      if (i == 5) run.stop.request_stop();
+      if (i > 5) throw Error("cancelling goes before failures");
+    };
+    CHECK_THROWS_AS(parallel_for(0, 1000, body), Cancelled);
+    CHECK(calls < 6 + threads);
+    calls = 0;
+    CHECK_THROWS_AS(parallel_for(0, 1000, body), Cancelled);
+    CHECK(calls == 0);
+    std::thread([] {
+      std::atomic<int> others{0};
+      parallel_for(0, 100, [&](int) { ++others; });
+      CHECK(others == 100);
+    }).join();
+  }
+}
+
+TEST_CASE("a loop within a loop hears that the run is cancelled") {
+  const xgm::ThreadLimit guard(3);
+  StoppableRun run;
+  std::atomic<int> finished{0};
+  CHECK_THROWS_AS(parallel_for(0, 3,
+                               [&](int) {
+                                 parallel_for(0, 10, [&](int) { run.stop.request_stop(); });
+                                 ++finished;
+                               }),
+                  Cancelled);
+  CHECK(finished == 0);
+}
+
+TEST_CASE("opposed_wavefronts end with Cancelled wherever they are, and no thread waits for ever") {
+  for (const int threads : {1, 2, 3, 8}) {
+    const xgm::ThreadLimit guard(threads);
+    constexpr int kLines = 12, kLength = 300, kStretches = 2 * kLines * 5;
+    for (int last = 1; last < kStretches; last += 7) {
+      CAPTURE(threads);
+      CAPTURE(last);
+      StoppableRun run;
+      std::atomic<int> calls{0};
+      CHECK_THROWS_AS(opposed_wavefronts(kLines, kLength, 5,
+                                         [&](const Stretch&) {
+                                           if (++calls == last) run.stop.request_stop();
+                                         }),
+                      Cancelled);
+      CHECK(calls < last + threads);
+    }
+  }
+}
+
+TEST_CASE("opposed_wavefronts end when another thread cancels while they wait for each other") {
+  const xgm::ThreadLimit guard(4);
+  StoppableRun run;
+  std::atomic<bool> begun{false};
+  std::thread other([&] {
+    while (!begun) std::this_thread::yield();
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    run.stop.request_stop();
+  });
+  // The first lines never come to an end by themselves.
+  const auto body = [&](const Stretch& stretch) {
+    begun = true;
+    if (stretch.line == 0) {
+      while (!run.stop.stop_requested()) std::this_thread::yield();
+    }
+  };
+  CHECK_THROWS_AS(opposed_wavefronts(10, 1000, 5, body), Cancelled);
+  other.join();
 }

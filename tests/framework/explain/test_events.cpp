@@ -61,7 +61,7 @@ int check_cause(const Explained& explained, Status status, const std::string& st
       if (event.after->status != status) continue;
       ++causes;
       REQUIRE(event.place.path == stage);
-      REQUIRE(event.plugin == plugin);
+      REQUIRE(event.place.plugin == plugin);
       REQUIRE(event.effect == effect);
       REQUIRE(contains(pixel.verdict, plugin));
     }
@@ -225,7 +225,7 @@ TEST_CASE("what a matcher does between its stages is told as its own deed") {
   Explainer explainer(scene.pair.size(), all_pixels(scene.pair.size()));
   const DisparityRange range = DisparityRange::uniform(scene.pair.size(), scene.disparities);
   Explained explained;
-  explained.result = matcher(Context(explainer), MatchRequest{scene.pair, range, std::nullopt});
+  explained.result = matcher(Context(&explainer), MatchRequest{scene.pair, range, std::nullopt});
   explained.pixels = explainer.explanations();
   check_story(explained);
   for (const Explanation& pixel : explained.pixels) {

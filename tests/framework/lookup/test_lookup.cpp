@@ -46,6 +46,7 @@ TEST_CASE("find_plugins: by name, by kind and name, with a guess for a miss") {
   CHECK(contains(miss, "did you mean"));
   CHECK(contains(error_of([&] { find_plugins("cots/" + any->name, registry); }),
                  "did you mean 'cost'?"));
-  CHECK(contains(error_of([&] { require_kind("filters", builtins()); }), "did you mean 'filter'?"));
-  CHECK_NOTHROW(require_kind("filter", builtins()));
+  CHECK(contains(error_of([&] { require_kind("filters", xgm::testing::builtins()); }),
+                 "did you mean 'filter'?"));
+  CHECK_NOTHROW(require_kind("filter", xgm::testing::builtins()));
 }

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/fake_stages.hpp"
+#include "xgm/pipeline/describe.hpp"
 #include "xgm/pipeline/pipeline.hpp"
 
 using namespace xgm;

@@ -46,10 +46,10 @@ bool has(const TemporaryFolder& folder, const std::string& name) {
 struct Listener : Observer {
   std::vector<std::string> warnings;
   int stages = 0;
-  void log(LogLevel level, const std::string&, const std::string& text) override {
+  void log(LogLevel level, const StagePlace&, const std::string& text) override {
     if (level == LogLevel::warning) warnings.push_back(text);
   }
-  void stage_end(const std::string&, const StageStatistics&, const Artifact&) override { ++stages; }
+  void stage_end(const StagePlace&, const StageStatistics&, const Artifact&) override { ++stages; }
 };
 
 }  // namespace

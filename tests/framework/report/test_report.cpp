@@ -96,7 +96,8 @@ TEST_CASE("report: 6 megapixels of noise stay below 15 MB, and the page says wha
     const cv::Size size(3000 / scale, 2000 / scale);
     const ReportRun coarse = random_scene(size, 0, 300.0 / scale, 5).runs[0];
     const cv::Mat1i begin(size, 3), end(size, 40);
-    scene.runs[0].levels.push_back({"matcher.s", scale, coarse.map, DisparityRange(begin, end)});
+    scene.runs[0].levels.push_back(
+        {{"s", double(scale), "matcher.s"}, "matcher", coarse.map, DisparityRange(begin, end)});
   }
   const std::string html = report_html(report_of(scene));
   CHECK(html.size() < 15'000'000);

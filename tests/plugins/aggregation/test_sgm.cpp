@@ -211,7 +211,7 @@ TEST_CASE("sgm tells its progress up to the end") {
     CAPTURE(count);
     watcher.shares.clear();
     const xgm::ThreadLimit threads(count);
-    testing::stage<Aggregation>("sgm")->run(costs, ConstantPenalties(5, 30), Context(watcher));
+    testing::stage<Aggregation>("sgm")->run(costs, ConstantPenalties(5, 30), Context(&watcher));
     // Of several threads one tells, after its own lines: how often is not known.
     if (count == 1) CHECK(watcher.shares.size() >= 10);
     CHECK(std::ranges::is_sorted(watcher.shares));

@@ -235,7 +235,7 @@ TEST_CASE("progress of a pyramid never falls and ends at 1") {
       "{type: pyramid, scale: 8, matcher: {type: left_right, matcher: fake, consistency: fake}}");
   ProgressObserver observer;
   const MatchRequest request{random_pair(size, 1), DisparityRange::uniform(size, {0, 9}), {}};
-  matcher->run(request, Context(observer));
+  matcher->run(request, Context(&observer));
   REQUIRE_FALSE(observer.shares.empty());
   CHECK(std::is_sorted(observer.shares.begin(), observer.shares.end(),
                        [](double a, double b) { return a < b - 1e-12; }));

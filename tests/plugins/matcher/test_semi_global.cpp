@@ -276,7 +276,7 @@ TEST_CASE("progress of semi_global never falls and ends at 1") {
   ProgressObserver observer;
   const auto matcher = chain(", refinement: quarter, filters: [linear, linear]");
   matcher->run({random_pair(size, 1), DisparityRange::uniform(size, {0, 3}), {}},
-               Context(observer));
+               Context(&observer));
   CHECK(std::is_sorted(observer.shares.begin(), observer.shares.end()));
   CHECK(observer.shares.back() == doctest::Approx(1));
 }

@@ -18,10 +18,10 @@ namespace {
 /// Keeps what a stage tells.
 class Listener final : public Observer {
  public:
-  void log(LogLevel level, const std::string&, const std::string& text) override {
+  void log(LogLevel level, const StagePlace&, const std::string& text) override {
     (level == LogLevel::warning ? warnings : infos) += text + "\n";
   }
-  void report(const std::string&, const std::string& name, double value) override {
+  void figure(const StagePlace&, const std::string& name, double value) override {
     figures[name] = value;
   }
 
@@ -42,7 +42,7 @@ SceneOptions scene_options(const VerticalShift& shift = {}) {
 
 ImagePair deskewed(const ImagePair& pair, Listener& listener,
                    const std::string& yaml = "ransac_deskew") {
-  return stage<Preprocess>(yaml)->run(pair, Context(listener));
+  return stage<Preprocess>(yaml)->run(pair, Context(&listener));
 }
 
 bool same(const Image& a, const Image& b) {

@@ -31,7 +31,7 @@ void parallel_for(int begin, int end, const std::function<void(int)>& body) {
 #pragma omp parallel
   {
     const RunScope scope(run);
-#pragma omp for schedule(dynamic)
+#pragma omp for schedule(dynamic) nowait
     for (int i = begin; i < end; ++i) {
       if (i > first_failure || run.stop.stop_requested()) continue;
       try {

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "xgm/base/error.hpp"
 #include "xgm/base/export.hpp"
 #include "xgm/config/diagnostics.hpp"
 #include "xgm/data/match.hpp"
@@ -28,7 +29,8 @@ struct Override {
 class XGM_API Pipeline {
  public:
   /// Runs preprocess, matcher and postprocess. The result has the request's size. Throws UsageError
-  /// for a request that fits neither itself nor the pipeline, and Error.
+  /// for a request that fits neither itself nor the pipeline, Cancelled if the run is, and Error.
+  /// Any number of runs, also of one pipeline, may be under way at once.
   MatchResult run(const MatchRequest& request, const RunOptions& options = {}) const;
 
   /// What the file is: a StereoFamily, or that of another room or plugin file.
