@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 # xgm_add_room(<target> COMPONENT <name> [SOURCES <file>...] [NEEDS <room>...] [LIBRARIES <target>...]
-#              [PRECOMPILE <header>...])
+#              [PRECOMPILE <header>...] [HARDLY_OPTIMISED <glob>...])
 # A room is a shared library of all sources below src/, with its public headers below include/. It is
 # installed as a component of its own: find_package(xgm COMPONENTS <name>) gives xgm::<name>.
-# NEEDS are the targets of rooms that were added before.
+# NEEDS are the targets of rooms that were added before. HARDLY_OPTIMISED are files in which runs spend
+# no time, such as those that read declarations and write text: building them would take most.
 set(XGM_CMAKE_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/xgm)
 function(xgm_add_room target)
-  cmake_parse_arguments(PARSE_ARGV 1 room "" "COMPONENT" "SOURCES;NEEDS;LIBRARIES;PRECOMPILE")
+  cmake_parse_arguments(PARSE_ARGV 1 room "" "COMPONENT" "SOURCES;NEEDS;LIBRARIES;PRECOMPILE;HARDLY_OPTIMISED")
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/*.cpp)
   add_library(${target} SHARED ${sources} ${room_SOURCES})
   add_library(xgm::${room_COMPONENT} ALIAS ${target})
@@ -19,6 +20,10 @@ function(xgm_add_room target)
     PUBLIC opencv_core ${room_NEEDS}
     PRIVATE $<BUILD_INTERFACE:xgm_options> ${room_LIBRARIES})
   xgm_precompile(${target} ${room_PRECOMPILE})
+  if(room_HARDLY_OPTIMISED)
+    file(GLOB_RECURSE files CONFIGURE_DEPENDS ${room_HARDLY_OPTIMISED})
+    set_property(SOURCE ${files} APPEND PROPERTY COMPILE_OPTIONS $<$<CONFIG:Release>:-O1>)
+  endif()
   # Before 1.0 a minor version may change the binary interface. Libraries lie side by side.
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${room_COMPONENT}
     VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}

@@ -2,10 +2,10 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 
 #include "xgm/base/error.hpp"
+#include "xgm/base/json.hpp"
 #include "xgm/base/text.hpp"
 #include "xgm/io/file.hpp"
 #include "xgm/io/image_io.hpp"
@@ -64,7 +64,7 @@ std::string calibration_text(const GeneratedScene& scene) {
 }
 
 std::string record_text(const Options& options) {
-  nlohmann::ordered_json record;
+  Json record;
   record["format"] = 1;
   record["seed"] = options.seed;
   record["size"] = {options.size.width, options.size.height};

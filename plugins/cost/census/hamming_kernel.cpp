@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#define HWY_WANT_AVX3_DL  // counts the bits of a vector in one instruction
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "plugins/cost/census/hamming_kernel.cpp"
 #include <hwy/foreach_target.h>

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <regex>
+#include <string_view>
 
 #include "plugins/dataset/file_layouts/folders.hpp"
 
@@ -49,9 +49,15 @@ bool is_middlebury_2001(const Listing& folder) {
   return (has("im2") && has("im6")) || is_map || is_tsukuba(folder);
 }
 
+// A word, a number and a letter for the range of its disparities: "delivery_area_1l".
 bool is_eth3d_name(const std::string& name) {
-  static const std::regex pattern("[a-z_]+_[0-9]+[ls]");
-  return std::regex_match(name, pattern);
+  if (!name.ends_with('l') && !name.ends_with('s')) return false;
+  const std::string_view stem = std::string_view(name).substr(0, name.size() - 1);
+  const std::size_t line = stem.find_last_not_of("0123456789");
+  if (line == std::string_view::npos || stem[line] != '_') return false;
+  const std::string_view word = stem.substr(0, line);
+  return line + 1 < stem.size() && !word.empty() &&
+         word.find_first_not_of("_abcdefghijklmnopqrstuvwxyz") == std::string_view::npos;
 }
 
 bool are_eth3d(const std::vector<Listing>& scenes) {

@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <optional>
-#include <regex>
 
 #include "plugins/dataset/file_layouts/listing.hpp"
 
@@ -37,8 +36,13 @@ std::optional<std::string> match(const std::string& part, const std::string& nam
 bool has_gap(const std::string& pattern) { return pattern.find(kGap) != std::string::npos; }
 
 bool has_unknown_placeholder(const std::string& pattern) {
-  static const std::regex word("\\{[A-Za-z_]*\\}");
-  return std::regex_search(replace_gaps(pattern, ""), word);
+  constexpr const char* kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ_abcdefghijklmnopqrstuvwxyz";
+  const std::string text = replace_gaps(pattern, "");
+  for (std::size_t i = text.find('{'); i != std::string::npos; i = text.find('{', i + 1)) {
+    const std::size_t end = text.find_first_not_of(kLetters, i + 1);
+    if (end != std::string::npos && text[end] == '}') return true;
+  }
+  return false;
 }
 
 std::string fill(const std::string& pattern, const std::string& scene, const std::string& top) {

@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <map>
-#include <regex>
 #include <set>
 
 namespace xgm::middlebury_v3 {
@@ -14,10 +13,10 @@ double weight(const std::string& scene) {
 }
 
 double scale_of_folder(const std::string& name) {
-  static const std::regex pattern(".*(training|test)([QHF])");
-  std::smatch match;
-  if (!std::regex_match(name, match, pattern)) return 0;
-  return match[2] == "Q" ? 4 : match[2] == "H" ? 2 : 1;
+  if (name.ends_with("trainingQ") || name.ends_with("testQ")) return 4;
+  if (name.ends_with("trainingH") || name.ends_with("testH")) return 2;
+  if (name.ends_with("trainingF") || name.ends_with("testF")) return 1;
+  return 0;
 }
 
 double scale_of_width(const std::string& scene, std::optional<int> width) {

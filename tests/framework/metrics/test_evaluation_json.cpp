@@ -3,11 +3,12 @@
 
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "metrics/evaluation_json.hpp"
 
 using namespace xgm;
-using Json = nlohmann::ordered_json;
+using Parsed = nlohmann::ordered_json;
 
 namespace {
 
@@ -32,7 +33,7 @@ RegionEvaluation some() {
 TEST_CASE("evaluation JSON: figures keep their last bit") {
   const RegionEvaluation region = some();
   const Evaluation& e = region.evaluation;
-  const Json json = Json::parse(to_json(std::vector{region, region}).dump());
+  const Parsed json = Parsed::parse(to_json(std::vector{region, region}).dump());
   REQUIRE(json.size() == 2);
   CHECK(json[1]["region"] == region.region);
   CHECK(json[1]["judged_pixels"] == e.judged);
@@ -44,7 +45,7 @@ TEST_CASE("evaluation JSON: figures keep their last bit") {
   }
   REQUIRE(json[1]["thresholds"].size() == e.at.size());
   for (std::size_t i = 0; i < e.at.size(); ++i) {
-    const Json& score = json[1]["thresholds"][i];
+    const Parsed& score = json[1]["thresholds"][i];
     CHECK(score["delta_px"] == e.at[i].delta);
     CHECK(score["bad"] == e.at[i].bad);
     CHECK(score["total"] == e.at[i].total);

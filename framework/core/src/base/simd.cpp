@@ -2,6 +2,7 @@
 // Which of the targets that kernels are compiled for is used.
 #include "xgm/base/simd.hpp"
 
+#define HWY_WANT_AVX3_DL  // some kernels do
 #include <hwy/highway.h>
 
 #include <array>

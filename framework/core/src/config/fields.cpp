@@ -149,10 +149,10 @@ bool bind_value(const Field& field, const Node& node, Diagnostics& diagnostics) 
   return std::visit(ValueReader(field, node, diagnostics), field.target);
 }
 
-nlohmann::ordered_json value_of(const Field& field) {
+Json value_of(const Field& field) {
   if (const auto* choice = std::get_if<Choice>(&field.target)) return choice->names[choice->get()];
   return std::visit(
-      [](const auto& target) -> nlohmann::ordered_json {
+      [](const auto& target) -> Json {
         if constexpr (std::is_pointer_v<std::decay_t<decltype(target)>>) {
           using Value = std::remove_pointer_t<std::decay_t<decltype(target)>>;
           if constexpr (!std::is_abstract_v<Value>) return *target;

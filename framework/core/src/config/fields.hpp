@@ -2,10 +2,10 @@
 // Values of declared parameters: from configuration nodes, to JSON, and in words.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "config/node.hpp"
+#include "xgm/base/json.hpp"
 #include "xgm/config/parameters.hpp"
 
 namespace xgm {
@@ -24,6 +24,6 @@ std::string expected(const Field& field);
 bool bind_value(const Field& field, const Node& node, Diagnostics& diagnostics);
 
 /// The value that a (non-stage) field holds now.
-nlohmann::ordered_json value_of(const Field& field);
+Json value_of(const Field& field);
 
 }  // namespace xgm

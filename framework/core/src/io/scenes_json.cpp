@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scenes for programs: what was found of each, before an image is opened.
-#include <nlohmann/json.hpp>
-
+#include "xgm/base/json.hpp"
 #include "xgm/io/scene.hpp"
 
 namespace xgm {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json path(const std::string& file) { return file.empty() ? Json(nullptr) : Json(file); }
 
@@ -55,8 +52,7 @@ Json scene_json(const SceneFiles& scene) {
 std::string to_json(const std::vector<SceneFiles>& scenes) {
   Json list = Json::array();
   for (const SceneFiles& scene : scenes) list.push_back(scene_json(scene));
-  // File names may be in any encoding; JSON is UTF-8.
-  return list.dump(2, ' ', false, Json::error_handler_t::replace);
+  return list.dump(2);
 }
 
 }  // namespace xgm

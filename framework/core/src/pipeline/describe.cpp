@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // A plugin explained to its users, from its one declaration.
-#include <nlohmann/json.hpp>
-
-#include "config/fields.hpp"
 #include "xgm/pipeline/describe.hpp"
+#include "config/fields.hpp"
+#include "xgm/base/json.hpp"
 
 namespace xgm {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 // As one would write it in a pipeline: names without quotes.
 std::string yaml_text(const Json& value) {
-  if (value == "") return "none";
-  return value.is_string() ? value.get<std::string>() : value.dump();
+  if (!value.is_string()) return value.dump();
+  return value.text().empty() ? "none" : value.text();
 }
 
 std::string default_text(const Field& field) {

@@ -2,11 +2,12 @@
 // A resolved configuration as an indented tree.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
+
+#include "xgm/base/json.hpp"
 
 namespace xgm {
 
-std::string graph_text(const nlohmann::ordered_json& resolved);
+std::string graph_text(const Json& resolved);
 
 }  // namespace xgm

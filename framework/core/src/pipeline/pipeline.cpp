@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "base/run_state.hpp"
@@ -12,6 +11,7 @@
 #include "pipeline/overrides.hpp"
 #include "plugin/binder.hpp"
 #include "xgm/base/error.hpp"
+#include "xgm/base/json.hpp"
 #include "xgm/base/parallel.hpp"
 #include "xgm/base/simd.hpp"
 
@@ -20,7 +20,7 @@ namespace xgm {
 struct Pipeline::Impl {
   std::string file;
   std::shared_ptr<const Stage> family;
-  nlohmann::ordered_json resolved;
+  Json resolved;
 };
 
 namespace {

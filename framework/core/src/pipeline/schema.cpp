@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // JSON Schema of pipeline files: what the binder accepts, as far as a schema can say it (relations
 // between parameters cannot be said).
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "config/fields.hpp"
+#include "xgm/base/json.hpp"
 #include "xgm/pipeline/describe.hpp"
 #include "xgm/stage/pipeline.hpp"
 
 namespace xgm {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json reference(std::string_view kind) { return {{"$ref", "#/definitions/" + std::string(kind)}}; }
 
@@ -66,17 +64,17 @@ Json object(const ParameterSet& set, Json properties, Json required) {
 
 // A stage is a bare name (if the plugin needs no nested stage) or a map with that type.
 Json stage_schema(const std::string& kind, const Registry& registry) {
-  Json names = Json::array(), alternatives = Json::array();
+  std::vector<Json> names, maps;
   for (const PluginInfo* plugin : registry.plugins(kind)) {
     const auto prototype = plugin->prototype();
     Json map = object(prototype->parameters(), {{"type", {{"const", plugin->name}}}}, {"type"});
     if (map["required"].size() == 1) names.push_back(plugin->name);
     map["description"] = plugin->summary;
-    alternatives.push_back(std::move(map));
+    maps.push_back(std::move(map));
   }
-  if (!names.empty()) alternatives.insert(alternatives.begin(), Json{{"enum", std::move(names)}});
-  if (alternatives.empty()) return {{"not", Json::object()}};
-  return {{"anyOf", std::move(alternatives)}};
+  if (maps.empty()) return {{"not", Json::object()}};
+  if (!names.empty()) maps.insert(maps.begin(), Json{{"enum", names}});
+  return {{"anyOf", maps}};
 }
 
 /// Kinds of all stages that may stand in a plugin's fields, at any depth.

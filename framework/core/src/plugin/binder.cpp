@@ -136,7 +136,7 @@ Binder::BoundFields Binder::fields(const Node& map, ParameterSet& set, const std
   const std::size_t before = diagnostics_.size();
   check_keys(map, set, owner, skip);
   BoundFields result;
-  result.resolved = nlohmann::ordered_json::object();
+  result.resolved = Json::object();
   std::set<std::string> faulty;
   for (const Field& field : set.fields()) {
     if (!bind(field, map.find(field.name), map, owner, result.resolved[field.name])) {
@@ -158,7 +158,7 @@ Binder::BoundFields Binder::fields(const Node& map, ParameterSet& set, const std
 }
 
 bool Binder::bind(const Field& field, const Entry* entry, const Node& map, const std::string& owner,
-                  nlohmann::ordered_json& resolved) {
+                  Json& resolved) {
   const bool given = entry != nullptr && !entry->value.is_null();
   if (auto* const* slot = std::get_if<SlotBase*>(&field.target)) {
     if (given) return bind_slot(field, **slot, entry->value, field.name, resolved);
@@ -173,7 +173,7 @@ bool Binder::bind(const Field& field, const Entry* entry, const Node& map, const
     return false;
   }
   if (is_stage_list(field)) {
-    resolved = nlohmann::ordered_json::array();
+    resolved = Json::array();
     return !given || bind_list(field, entry->value, resolved);
   }
   const bool good = entry == nullptr || bind_value(field, entry->value, diagnostics_);
@@ -182,13 +182,13 @@ bool Binder::bind(const Field& field, const Entry* entry, const Node& map, const
 }
 
 bool Binder::bind_slot(const Field& field, SlotBase& slot, const Node& node,
-                       const std::string& place, nlohmann::ordered_json& resolved) {
+                       const std::string& place, Json& resolved) {
   BoundStage bound = stage(node, stage_kind(field));
   resolved = std::move(bound.resolved);
   return bound.stage != nullptr && slot.assign(bound.stage, bound.plugin, place);
 }
 
-bool Binder::bind_list(const Field& field, const Node& node, nlohmann::ordered_json& resolved) {
+bool Binder::bind_list(const Field& field, const Node& node, Json& resolved) {
   if (!node.is_list()) {
     diagnose(node.where, "'" + field.name + "' must be " + expected(field) + ", not " + spell(node),
              "write it in brackets: [NAME, {type: NAME, ...}]");
@@ -197,7 +197,7 @@ bool Binder::bind_list(const Field& field, const Node& node, nlohmann::ordered_j
   SlotListBase& slots = *std::get<SlotListBase*>(field.target);
   bool good = true;
   for (std::size_t i = 0; i < node.items.size(); ++i) {
-    nlohmann::ordered_json item;
+    Json item;
     const std::string place = field.name + "[" + std::to_string(i) + "]";
     good &= bind_slot(field, slots.append(), node.items[i], place, item);
     resolved.push_back(std::move(item));

@@ -3,11 +3,11 @@
 #pragma once
 
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 
 #include "config/node.hpp"
+#include "xgm/base/json.hpp"
 #include "xgm/plugin/registry.hpp"
 
 namespace xgm {
@@ -20,7 +20,7 @@ class Binder {
   struct BoundStage {
     std::shared_ptr<const Stage> stage;  ///< null if anything inside is faulty
     std::string plugin;
-    nlohmann::ordered_json resolved;  ///< {"type": ..., every parameter}
+    Json resolved;  ///< {"type": ..., every parameter}
   };
 
   /// The stage that `node` (a bare name, or a map with 'type') describes.
@@ -32,7 +32,7 @@ class Binder {
 
   struct BoundFields {
     bool good = true;
-    nlohmann::ordered_json resolved;
+    Json resolved;
   };
   /// Binds the entries of a map to declared fields and checks the rules. `owner` is what the fields
   /// belong to, for messages. Keys in `skip` are not for the fields.
@@ -45,10 +45,10 @@ class Binder {
   void check_keys(const Node& map, const ParameterSet& set, const std::string& owner,
                   const std::set<std::string>& skip);
   bool bind(const Field& field, const Entry* entry, const Node& map, const std::string& owner,
-            nlohmann::ordered_json& resolved);
+            Json& resolved);
   bool bind_slot(const Field& field, SlotBase& slot, const Node& node, const std::string& place,
-                 nlohmann::ordered_json& resolved);
-  bool bind_list(const Field& field, const Node& node, nlohmann::ordered_json& resolved);
+                 Json& resolved);
+  bool bind_list(const Field& field, const Node& node, Json& resolved);
   void diagnose(const Location& where, std::string message, std::string remedy);
 
   const Registry& registry_;

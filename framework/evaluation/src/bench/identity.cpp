@@ -2,17 +2,15 @@
 #include "bench/identity.hpp"
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <opencv2/core/version.hpp>
 
 #include "xgm/base/error.hpp"
+#include "xgm/base/json.hpp"
 #include "xgm/pipeline/installation.hpp"
 
 namespace xgm {
 namespace fs = std::filesystem;
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr int kFormat = 1;
 
@@ -79,7 +77,8 @@ std::string cell_identity(const BenchPlan& plan, std::size_t pipeline, std::size
 bool is_done(const std::string& folder, const std::string& identity) {
   try {
     const Json mark = Json::parse(read_file(in(folder, "cell.json")));
-    return mark.at("identity").dump() == identity && mark.at("results") == results(folder);
+    return mark.at("identity").dump() == identity &&
+           mark.at("results").dump() == results(folder).dump();
   } catch (const std::exception&) {
     return false;  // missing, or cut short: run it again
   }

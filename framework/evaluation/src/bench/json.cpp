@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // All that a bench knows, as JSON.
-#include <nlohmann/json.hpp>
-
+#include "xgm/base/json.hpp"
 #include "bench/table.hpp"
 #include "metrics/evaluation_json.hpp"
 #include "xgm/evaluation/bench_tables.hpp"
@@ -9,8 +8,6 @@
 
 namespace xgm {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 void add_figures(Json& json, const BenchCell& cell) {
   if (cell.state == CellState::failed) json["failure"] = cell.failure;
@@ -89,8 +86,7 @@ std::string bench_json(const BenchResult& result) {
                {"pipelines", pipelines(result.plan)},
                {"averages", averages(result)},
                {"cells", cells(result)}};
-  // File names may be in any encoding; JSON is UTF-8.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json.dump(2) + "\n";
 }
 
 }  // namespace xgm

@@ -3,8 +3,8 @@
 
 #include <cmath>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
+#include "xgm/base/json.hpp"
 #include "xgm/evaluation/bench_tables.hpp"
 #include "xgm/io/pfm.hpp"
 #include "xgm/io/scene.hpp"
@@ -14,16 +14,16 @@ namespace fs = std::filesystem;
 namespace {
 
 BenchCell read_record(const std::string& folder) {
-  const auto json = nlohmann::json::parse(read_file((fs::path(folder) / "run.json").string()));
+  const auto json = Json::parse(read_file((fs::path(folder) / "run.json").string()));
   BenchCell cell;
   cell.state = CellState::done;
-  cell.seconds = json.at("seconds").at("matching");
-  cell.peak_bytes = json.at("peak_memory_bytes");
-  cell.density = json.at("valid_share");
-  const double width = json.at("scene").at("width");
-  const double height = json.at("scene").at("height");
-  const double first = json.at("disparities").at("first");
-  const double last = json.at("disparities").at("last");
+  cell.seconds = json.at("seconds").at("matching").number();
+  cell.peak_bytes = json.at("peak_memory_bytes").number();
+  cell.density = json.at("valid_share").number();
+  const double width = json.at("scene").at("width").number();
+  const double height = json.at("scene").at("height").number();
+  const double first = json.at("disparities").at("first").number();
+  const double last = json.at("disparities").at("last").number();
   cell.evaluations = width * height * (last - first + 1);
   return cell;
 }

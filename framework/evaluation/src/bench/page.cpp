@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "bench/judge.hpp"
 #include "metrics/evaluation_json.hpp"
+#include "xgm/base/json.hpp"
 #include "xgm/evaluation/bench_tables.hpp"
 #include "xgm/evaluation/report.hpp"
 #include "xgm/io/image_io.hpp"
@@ -48,7 +48,7 @@ DisparityMap thinned(const DisparityMap& map, int step) {
 /// rules and perhaps another truth.
 std::string record(const std::string& folder, const BenchCell& cell, const BenchRules& rules) {
   const std::string text = read_file((std::filesystem::path(folder) / "run.json").string());
-  auto json = nlohmann::ordered_json::parse(text);
+  Json json = Json::parse(text);
   json.erase("truth");
   std::vector<RegionEvaluation> regions = cell.regions;
   if (!rules.region.empty()) {

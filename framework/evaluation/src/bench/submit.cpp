@@ -7,7 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
-#include <regex>
+#include <string_view>
 
 #include "bench/judge.hpp"
 #include "xgm/base/error.hpp"
@@ -21,6 +21,8 @@ namespace xgm {
 namespace fs = std::filesystem;
 namespace {
 
+constexpr const char* kDigits = "0123456789";
+
 /// What a benchmark gets of one scene.
 struct Upload {
   fs::path folder;  // the benchmark's root
@@ -33,9 +35,14 @@ struct Upload {
 
 /// "trainingQ" of "MiddEval3/trainingQ" and of "my_trainingQ".
 std::string middlebury_half(const BenchScene& scene) {
-  static const std::regex half("(training|test)[FHQ](?=-[0-9]+$|$)");
-  std::smatch match;
-  if (std::regex_search(scene.set, match, half)) return match[0];
+  std::string_view name = scene.set;
+  const std::size_t dash =
+      name.find_last_not_of(kDigits);  // of "trainingQ-2", the second of a name
+  const bool is_numbered = dash != std::string_view::npos && dash + 1 < name.size();
+  if (is_numbered && name[dash] == '-') name = name.substr(0, dash);
+  for (const char* half : {"trainingF", "trainingH", "trainingQ", "testF", "testH", "testQ"}) {
+    if (name.ends_with(half)) return half;
+  }
   throw Error("--submit middlebury: the name of the folder '" + scene.set +
               "' does not end in trainingF, trainingH, trainingQ, testF, testH or testQ, which "
               "uploads are sorted by; call it as the benchmark does");
@@ -61,10 +68,12 @@ void write_eth3d(const Upload& upload) {
 
 /// "000046_10", by which KITTI calls its frames.
 std::string kitti_frame(const BenchScene& scene) {
-  static const std::regex frame("[0-9]{6}_10");
+  const auto is_frame = [](const std::string& name) {
+    return name.size() == 9 && name.ends_with("_10") && name.find_first_not_of(kDigits) == 6;
+  };
   for (const std::string& name :
        {scene.files.name, fs::path(scene.files.images.left).stem().string()}) {
-    if (std::regex_match(name, frame)) return name;
+    if (is_frame(name)) return name;
   }
   throw Error("--submit kitti: the scene '" + scene.files.name +
               "' is not called as KITTI's frames are (000000_10)");
@@ -133,8 +142,9 @@ void check_submission(const BenchPlan& plan, const std::string& benchmark,
     throw Error("--method " + method + ": names one pipeline, but there are " +
                 std::to_string(plan.pipelines.size()) + "; submit one at a time");
   }
-  static const std::regex letters("[A-Za-z0-9._+=-]*");
-  if (!std::regex_match(method, letters)) {
+  constexpr const char* kAllowed =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._+=-";
+  if (method.find_first_not_of(kAllowed) != std::string::npos) {
     throw Error("--method " + method +
                 ": becomes part of file names; letters, digits and ._+=- "
                 "only");

@@ -2,14 +2,12 @@
 // An explanation for programs, the report among them.
 #include <charconv>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "xgm/base/json.hpp"
 #include "xgm/evaluation/explain.hpp"
 
 namespace xgm {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// The shortest number that reads as this float again; null for NaN.
 Json number(float value) {
@@ -108,9 +106,7 @@ Json object(const Explanation& explanation) {
   return json;
 }
 
-std::string text_of(const Json& json, int indent) {
-  return json.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n";
-}
+std::string text_of(const Json& json, int indent) { return json.dump(indent) + "\n"; }
 
 }  // namespace
 

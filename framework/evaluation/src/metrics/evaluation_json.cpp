@@ -8,8 +8,6 @@
 namespace xgm {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr std::array kFigures = {std::pair{"invalid", &Evaluation::invalid},
                                  std::pair{"average_error_px", &Evaluation::average_error},
                                  std::pair{"rms_px", &Evaluation::rms},

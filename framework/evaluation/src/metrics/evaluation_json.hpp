@@ -4,16 +4,15 @@
 // header is not installed.
 #pragma once
 
-#include <nlohmann/json.hpp>
-
+#include "xgm/base/json.hpp"
 #include "xgm/evaluation/metrics.hpp"
 #include "xgm/evaluation/sparsification.hpp"
 
 namespace xgm {
 
-XGM_API nlohmann::ordered_json to_json(const RegionEvaluation& evaluation);
-XGM_API nlohmann::ordered_json to_json(const std::vector<RegionEvaluation>& evaluations);
+XGM_API Json to_json(const RegionEvaluation& evaluation);
+XGM_API Json to_json(const std::vector<RegionEvaluation>& evaluations);
 
-nlohmann::ordered_json to_json(const RegionSparsification& sparsification);
+Json to_json(const RegionSparsification& sparsification);
 
 }  // namespace xgm

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "xgm/base/json.hpp"
 #include "xgm/evaluation/plan_json.hpp"
 
 namespace xgm {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json stage_json(const PlannedStage& stage) {
   const StagePlace& place = stage.place;

@@ -2,16 +2,14 @@
 #include "xgm/evaluation/evaluation_report.hpp"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "metrics/evaluation_json.hpp"
 #include "record/inputs_json.hpp"
+#include "xgm/base/json.hpp"
 #include "xgm/plugin/version.hpp"
 
 namespace xgm {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr int kFormat = 1;  // raised when a reader would have to change
 
@@ -52,7 +50,7 @@ Cells areas_of(const std::string& region, const EvaluationReport& report) {
 Cells cells_of(const RegionEvaluation& region) {
   Cells cells;
   const Json json = to_json(region);
-  for (const auto& [name, value] : json.items()) {
+  for (const auto& [name, value] : json.members()) {
     if (name != "thresholds") cells.emplace_back(name, value);
   }
   for (const ThresholdScore& score : region.evaluation.at) {
@@ -65,7 +63,7 @@ Cells cells_of(const RegionEvaluation& region) {
 
 std::string text_of(const Json& value) {
   if (value.is_null()) return "";
-  return value.is_string() ? value.get<std::string>() : value.dump();
+  return value.is_string() ? value.text() : value.dump();
 }
 
 }  // namespace
@@ -81,8 +79,7 @@ std::string to_json(const EvaluationReport& report) {
   json["truth"] = to_json(report.regions);
   if (!report.confidence.empty()) json["confidence"] = Json::array();
   for (const auto& region : report.confidence) json["confidence"].push_back(to_json(region));
-  // File names may be in any encoding; JSON is UTF-8.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json.dump(2) + "\n";
 }
 
 std::string to_csv(const EvaluationReport& report) {

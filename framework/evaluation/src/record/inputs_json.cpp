@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "record/inputs_json.hpp"
 
+#include "xgm/base/error.hpp"
 #include "xgm/evaluation/run_record.hpp"
 
 namespace xgm {
 
-nlohmann::ordered_json to_json(const std::vector<InputFile>& inputs) {
-  auto list = nlohmann::ordered_json::array();
+Json to_json(const std::vector<InputFile>& inputs) {
+  Json list = Json::array();
   for (const InputFile& input : inputs) {
     list.push_back({{"role", input.role},
                     {"file", input.file},
@@ -19,13 +20,14 @@ nlohmann::ordered_json to_json(const std::vector<InputFile>& inputs) {
 std::vector<InputFile> recorded_inputs(const std::string& run_json) {
   std::vector<InputFile> inputs;
   try {
-    const auto record = nlohmann::json::parse(run_json);
-    for (const auto& input : record.at("scene").at("inputs")) {
-      inputs.push_back({input.at("role"),
-                        input.at("file"),
-                        {.bytes = input.at("bytes"), .fnv1a64 = input.at("fnv1a64")}});
+    const Json record = Json::parse(run_json);
+    for (const Json& input : record.at("scene").at("inputs")) {
+      inputs.push_back({input.at("role").text(),
+                        input.at("file").text(),
+                        {.bytes = static_cast<std::uintmax_t>(input.at("bytes").number()),
+                         .fnv1a64 = input.at("fnv1a64").text()}});
     }
-  } catch (const nlohmann::json::exception&) {
+  } catch (const Error&) {
     return {};
   }
   return inputs;

@@ -2,12 +2,11 @@
 // Which files were read, as JSON.
 #pragma once
 
-#include <nlohmann/json.hpp>
-
+#include "xgm/base/json.hpp"
 #include "xgm/io/scene.hpp"
 
 namespace xgm {
 
-nlohmann::ordered_json to_json(const std::vector<InputFile>& inputs);
+Json to_json(const std::vector<InputFile>& inputs);
 
 }  // namespace xgm

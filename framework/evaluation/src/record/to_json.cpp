@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <nlohmann/json.hpp>
 #include <opencv2/core/version.hpp>
 
 #include "metrics/evaluation_json.hpp"
 #include "record/inputs_json.hpp"
+#include "xgm/base/json.hpp"
 #include "xgm/evaluation/run_record.hpp"
 #include "xgm/plugin/handshake.hpp"
 #include "xgm/plugin/version.hpp"
 
 namespace xgm {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr int kFormat = 1;  // raised when a reader of run.json would have to change
 
@@ -98,8 +96,7 @@ std::string to_json(const RunRecord& record) {
   json["stages"] = stages(record);
   json["warnings"] = record.warnings;
   if (!record.dumps.empty()) json["dumps"] = dumps(record);
-  // File names may be in any encoding; JSON is UTF-8.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json.dump(2) + "\n";
 }
 
 }  // namespace xgm

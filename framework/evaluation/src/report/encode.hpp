@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 #include <string>
 #include <vector>
 
-namespace xgm::report {
+#include "xgm/base/json.hpp"
 
-using Json = nlohmann::ordered_json;
+namespace xgm::report {
 
 /// Every stride-th pixel of an image, from the middle of its stride: pages show real values of
 /// fewer pixels rather than means over edges.

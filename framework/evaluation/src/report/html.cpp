@@ -2,8 +2,8 @@
 #include "report/html.hpp"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "xgm/base/json.hpp"
 #include "xgm/base/text.hpp"
 #include "xgm/evaluation/report.hpp"
 
@@ -11,9 +11,7 @@ namespace xgm {
 
 std::string html_text(const std::string& text) {
   // The writer of JSON replaces what is no UTF-8; quotes and escapes are taken off again.
-  using nlohmann::json;
-  const std::string sound =
-      json::parse(json(text).dump(-1, ' ', false, json::error_handler_t::replace));
+  const std::string sound = Json::parse(Json(text).dump()).text();
   std::string escaped;
   for (const char c : sound) {
     switch (c) {

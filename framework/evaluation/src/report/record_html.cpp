@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/record_html.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "report/html.hpp"
 #include "report/yaml_text.hpp"
+#include "xgm/base/scalar.hpp"
 #include "xgm/base/shell.hpp"
 #include "xgm/evaluation/report.hpp"
 
@@ -14,9 +16,21 @@ namespace {
 
 const Json kNothing;
 
+const Json* part_of(const Json& value, const std::string& name) {
+  if (!value.is_array()) return value.find(name);
+  const auto index = to_number<std::size_t>(name);
+  return index && *index < value.size() ? &value.elements()[*index] : nullptr;
+}
+
+/// What a JSON pointer (RFC 6901) such as "/truth/0/region" leads to.
 const Json& at(const Json& record, const std::string& pointer) {
-  const Json::json_pointer path(pointer);
-  return record.is_structured() && record.contains(path) ? record.at(path) : kNothing;
+  const Json* part = &record;
+  for (std::size_t i = 0; i < pointer.size() && part != nullptr;) {
+    const std::size_t end = std::min(pointer.find('/', i + 1), pointer.size());
+    part = part_of(*part, pointer.substr(i + 1, end - i - 1));
+    i = end;
+  }
+  return part != nullptr ? *part : kNothing;
 }
 
 /// The part of the truth that maps are ranked by.
@@ -25,21 +39,23 @@ const Json& ranking_region(const Json& record) {
   for (const Json& region : regions) {
     if (text_at(region, "/region") == "non-occluded") return region;
   }
-  return regions.empty() ? kNothing : regions.front();
+  return regions.empty() ? kNothing : regions.elements().front();
 }
 
 std::string command_line(const Json& record) {
   std::string text = "pipeline";
   for (const Json& argument : at(record, "/command_line")) {
-    if (argument.is_string()) text += " " + shell_word(argument.get<std::string>());
+    if (argument.is_string()) text += " " + shell_word(argument.text());
   }
   return "<pre>" + html_text(text) + "</pre>";
 }
 
 std::string versions(const Json& record) {
   std::vector<Row> rows;
-  for (const auto& [name, version] : at(record, "/versions").items()) {
-    if (version.is_string()) rows.push_back({html_text(name), html_text(version)});
+  const Json& versions = at(record, "/versions");
+  if (!versions.is_object()) return "";
+  for (const auto& [name, version] : versions.members()) {
+    if (version.is_string()) rows.push_back({html_text(name), html_text(version.text())});
   }
   return table({"Program", "Version"}, rows);
 }
@@ -74,12 +90,12 @@ std::string fact(const std::string& name, const std::string& value) {
 
 double number_at(const Json& record, const std::string& pointer) {
   const Json& value = at(record, pointer);
-  return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
+  return value.is_number() ? value.number() : std::numeric_limits<double>::quiet_NaN();
 }
 
 std::string text_at(const Json& record, const std::string& pointer) {
   const Json& value = at(record, pointer);
-  return value.is_string() ? value.get<std::string>() : "";
+  return value.is_string() ? value.text() : "";
 }
 
 double total_error(const Json& record, double delta) {
@@ -158,7 +174,7 @@ std::string warnings_html(const Json& record) {
   if (warnings.empty()) return "";
   std::string html = "<div class=\"warnings\"><h4>Warnings</h4><ul>";
   for (const Json& warning : warnings) {
-    if (warning.is_string()) html += "<li>" + html_text(warning.get<std::string>()) + "</li>";
+    if (warning.is_string()) html += "<li>" + html_text(warning.text()) + "</li>";
   }
   return html + "</ul></div>\n";
 }

@@ -16,9 +16,13 @@ void require_size(cv::Size size, const ReportScene& scene, const std::string& wh
 
 Json parsed(const std::string& text, const Json& otherwise, const std::string& what) {
   if (text.empty()) return otherwise;
-  Json json = Json::parse(text, nullptr, false);
-  if (json.is_discarded()) throw Error("report: " + what + " is no JSON");
-  if (json.type() == otherwise.type() || otherwise.is_null()) return json;
+  Json json;
+  try {
+    json = Json::parse(text);
+  } catch (const Error&) {
+    throw Error("report: " + what + " is no JSON");
+  }
+  if (json.is_array() || !otherwise.is_array()) return json;
   throw Error("report: " + what + " is JSON, but not a list");
 }
 

@@ -26,8 +26,8 @@ struct Call {
 /// Calls in the order in which they began; what only reported figures is no stage.
 std::vector<Call> calls_of(const Json& record) {
   std::vector<Call> calls;
-  if (!record.is_object() || !record.contains("stages")) return calls;
-  for (const Json& stage : record["stages"]) {
+  if (!record.contains("stages")) return calls;
+  for (const Json& stage : record.at("stages")) {
     const double seconds = number_at(stage, "/seconds");
     if (!std::isfinite(seconds)) continue;
     calls.push_back({text_at(stage, "/stage"), text_at(stage, "/kind"), text_at(stage, "/plugin"),

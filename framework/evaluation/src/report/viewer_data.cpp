@@ -86,7 +86,7 @@ Json viewer_data(const std::vector<SceneView>& views, double pixels) {
 }
 
 std::string script_text(const Json& json) {
-  const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  const std::string text = json.dump();
   std::string safe;
   safe.reserve(text.size());
   for (const char c : text) c == '<' ? safe += "\\u003c" : safe += c;  // no </script>, no <!--

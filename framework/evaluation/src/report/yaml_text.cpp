@@ -7,13 +7,12 @@
 namespace xgm::report {
 namespace {
 
-using Json = nlohmann::ordered_json;
 constexpr std::size_t kLineWidth = 76;
 
 /// Words need no quotes; JSON's notation of everything else is YAML, too.
 std::string scalar(const Json& value) {
   if (!value.is_string()) return value.dump();
-  const std::string& text = value.get_ref<const std::string&>();
+  const std::string& text = value.text();
   const bool is_word = !text.empty() && std::isalpha(static_cast<unsigned char>(text[0])) != 0 &&
                        std::all_of(text.begin(), text.end(), [](unsigned char c) {
                          return std::isalnum(c) != 0 || c == '_';
@@ -23,23 +22,26 @@ std::string scalar(const Json& value) {
   std::string lower = text;
   for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   const bool reserved = std::find(kReserved.begin(), kReserved.end(), lower) != kReserved.end();
-  return is_word && !reserved ? text : value.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return is_word && !reserved ? text : value.dump();
 }
 
 std::string in_one_line(const Json& value) {
   if (!value.is_structured()) return scalar(value);
   std::string text;
-  for (const auto& [key, item] : value.items()) {
-    if (!text.empty()) text += ", ";
-    if (value.is_object()) text += scalar(Json(key)) + ": ";
-    text += in_one_line(item);
+  const auto add = [&](const std::string& item) { text += (text.empty() ? "" : ", ") + item; };
+  if (value.is_array()) {
+    for (const Json& item : value) add(in_one_line(item));
+    return "[" + text + "]";
   }
-  return value.is_object() ? "{" + text + "}" : "[" + text + "]";
+  for (const auto& [key, item] : value.members()) add(scalar(key) + ": " + in_one_line(item));
+  return "{" + text + "}";
 }
 
 bool is_flat(const Json& value) {
-  return std::none_of(value.begin(), value.end(),
-                      [](const Json& item) { return item.is_structured() && !item.empty(); });
+  const auto is_plain = [](const Json& item) { return !item.is_structured() || item.empty(); };
+  if (value.is_array()) return std::all_of(value.begin(), value.end(), is_plain);
+  return std::all_of(value.members().begin(), value.members().end(),
+                     [&](const Json::Member& member) { return is_plain(member.second); });
 }
 
 void write(const Json& value, std::size_t indent, std::string& text);
@@ -57,9 +59,14 @@ void write_item(const Json& item, std::size_t indent, std::string& text) {
 }
 
 void write(const Json& value, std::size_t indent, std::string& text) {
-  for (const auto& [key, item] : value.items()) {
-    text += std::string(indent, ' ') + (value.is_object() ? scalar(Json(key)) + ":" : "-");
+  const auto add = [&](const std::string& head, const Json& item) {
+    text += std::string(indent, ' ') + head;
     write_item(item, indent + 2, text);
+  };
+  if (value.is_array()) {
+    for (const Json& item : value) add("-", item);
+  } else {
+    for (const auto& [key, item] : value.members()) add(scalar(key) + ":", item);
   }
 }
 

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // A race for programs: every round of it.
-#include <nlohmann/json.hpp>
 #include <opencv2/core/version.hpp>
 
+#include "xgm/base/json.hpp"
 #include "xgm/evaluation/speed.hpp"
 #include "xgm/plugin/version.hpp"
 
 namespace xgm {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr int kFormat = 1;  // raised when a reader would have to change
 
@@ -48,7 +46,7 @@ std::string speed_json(const SpeedResult& result) {
       {"threads", result.plan.threads},
       {"rounds", result.plan.rounds},
       {"times", times}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json.dump(2) + "\n";
 }
 
 }  // namespace xgm

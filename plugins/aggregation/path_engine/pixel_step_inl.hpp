@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// The inner step in vectors. Up to four paths advance together: their minima, the only thing that
-// one block waits for another with, are reduced at once.
+// The inner step in vectors, for the SIMD target that is being compiled. Up to four paths advance
+// together: their minima, the only thing that one block waits for another with, are reduced at
+// once.
+#if defined(XGM_AGGREGATION_PIXEL_STEP_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef XGM_AGGREGATION_PIXEL_STEP_INL_HPP
+#undef XGM_AGGREGATION_PIXEL_STEP_INL_HPP
+#else
+#define XGM_AGGREGATION_PIXEL_STEP_INL_HPP
+#endif
+
+#include <hwy/highway.h>
+
 #include <cstring>
 
 #include "plugins/aggregation/path_engine/advance.hpp"
-#include "xgm/base/simd_dispatch.hpp"
-
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "plugins/aggregation/path_engine/pixel_step_kernel.cpp"
-#include <hwy/foreach_target.h>
-#include <hwy/highway.h>
-
 #include "plugins/aggregation/path_engine/blocks_inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -348,26 +351,7 @@ Advance<Cell> choose(const PassStep& pass) {
 
 #endif
 
-Advance<std::uint8_t> choose_8(const PassStep& pass) { return choose<std::uint8_t>(pass); }
-Advance<std::uint16_t> choose_16(const PassStep& pass) { return choose<std::uint16_t>(pass); }
-
 }  // namespace xgm::aggregation::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
-#if HWY_ONCE
-namespace xgm::aggregation {
-
-HWY_EXPORT(choose_8);
-HWY_EXPORT(choose_16);
-
-template <>
-Advance<std::uint8_t> choose_advance(const PassStep& pass) {
-  return XGM_SIMD_DISPATCH(choose_8)(pass);
-}
-template <>
-Advance<std::uint16_t> choose_advance(const PassStep& pass) {
-  return XGM_SIMD_DISPATCH(choose_16)(pass);
-}
-
-}  // namespace xgm::aggregation
 #endif
