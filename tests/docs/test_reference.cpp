@@ -9,6 +9,7 @@
 #include "docs/blocks.hpp"
 #include "support/support.hpp"
 #include "xgm/io/file.hpp"
+#include "xgm/pipeline/describe.hpp"
 
 using namespace xgm;
 using namespace xgm::testing;

@@ -30,8 +30,9 @@ class PlanLedger {
     for (const std::size_t stage : open_) {
       stages[stage].memory = std::max(stages[stage].memory, memory);
     }
-    if (memory > peak_bytes && !open_.empty()) {
-      peak_bytes = memory;
+    peak_bytes = std::max(peak_bytes, memory);
+    if (heap_ + volumes_ > max_used_ && !open_.empty()) {
+      max_used_ = heap_ + volumes_;
       peak_stage = open_.back();
     }
   }
@@ -41,11 +42,12 @@ class PlanLedger {
 
   std::vector<PlannedStage> stages;
   double peak_bytes = 0;
-  std::size_t peak_stage = 0;
+  std::size_t peak_stage = 0;  ///< in which the most is in use, not only kept for later
 
  private:
   double heap_, max_heap_;
   double volumes_ = 0, max_volumes_ = 0;
+  double max_used_ = 0;
   std::vector<std::size_t> open_;  ///< stages that run now, outermost first
 };
 

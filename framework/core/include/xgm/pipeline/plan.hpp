@@ -59,7 +59,7 @@ struct PlanRequest {
 struct RunPlan {
   std::vector<PlannedStage> stages;
   double peak_bytes = 0;   ///< of the process, see peak_memory()
-  std::string peak_stage;  ///< path of the stage, innermost, in which that is
+  std::string peak_stage;  ///< path of the stage, innermost, in which the most is in use
   double seconds = 0;      ///< of matching
   bool estimated = false;  ///< whether the peak depends on a guess of what a pyramid searches
   std::optional<Narrowing> narrowing{};
