@@ -155,8 +155,7 @@ RunPlan plan_of_scene(const SceneRequest& scene, const Pipeline& pipeline, int t
   SceneInputs inputs = read_scene(scene, pipeline);
   show_notes(inputs);
   const MatchRequest match{std::move(inputs.scene.pair), inputs.range, {}};
-  request = {.load = workload_of(match, threads),
-             .truth = !inputs.scene.truth.disparity.empty()};
+  request = {.load = workload_of(match, threads), .truth = !inputs.scene.truth.disparity.empty()};
   return plan_run(RunTrace::of_reduced(pipeline, match, threads), request);
 }
 
@@ -170,10 +169,9 @@ int plan(const Options& options) {
   Progress progress;
   progress.begin("measuring the speed of this machine");
   PlanRequest request;
-  const RunPlan planned =
-      options.size.empty()
-          ? plan_of_scene(scene_request(options, registry), pipeline, threads, request)
-          : plan_of_size(options, pipeline, threads, request);
+  const RunPlan planned = options.size.empty() ? plan_of_scene(scene_request(options, registry),
+                                                               pipeline, threads, request)
+                                               : plan_of_size(options, pipeline, threads, request);
   progress.end();
   if (options.json) {
     std::cout << to_json(planned, request);
