@@ -65,9 +65,9 @@ std::optional<std::vector<BenchPipeline>> load_pipelines(const BenchOptions& opt
 }
 
 /// What cannot go well is not begun.
-void require_disparities(const BenchPlan& plan) {
-  for (const BenchPipeline& pipeline : plan.pipelines) {
-    for (const BenchScene& scene : plan.scenes) {
+void require_disparities(const BenchRequest& request) {
+  for (const BenchPipeline& pipeline : request.pipelines) {
+    for (const BenchScene& scene : request.scenes) {
       if (pipeline.disparities || scene.files.disparities) continue;
       throw UsageError("scene " + scene.files.name + ", pipeline " + pipeline.name +
                        ": nothing says which disparities to search; add a line ndisp=NUMBER to "
@@ -76,8 +76,8 @@ void require_disparities(const BenchPlan& plan) {
   }
 }
 
-void require_bounds_to_clip_to(const BenchPlan& plan) {
-  for (const BenchScene& scene : plan.scenes) {
+void require_bounds_to_clip_to(const BenchRequest& request) {
+  for (const BenchScene& scene : request.scenes) {
     if (scene.files.disparities) continue;
     throw UsageError("--clip: nothing gives the ndisp of scene " + scene.files.name +
                      "; add a line ndisp=NUMBER to its calib.txt, or leave --clip out");
@@ -93,25 +93,25 @@ std::vector<std::string> plugin_files(const Registry& registry) {
   return files;
 }
 
-std::optional<BenchPlan> make_plan(const BenchOptions& options) {
+std::optional<BenchRequest> make_request(const BenchOptions& options) {
   const Registry registry = make_registry(options.plugins);
   auto pipelines = load_pipelines(options, registry);
   if (!pipelines) return std::nullopt;
-  BenchPlan plan{
+  BenchRequest request{
       .output = options.output,
       .pipelines = std::move(*pipelines),
       .scenes = find_bench_scenes(options.data, registry, options.dataset, options.scenes),
       .program = identify_program(kThisProgram, plugin_files(registry)),
       .threads = options.threads > 0 ? options.threads : thread_count()};
-  require_disparities(plan);
-  if (options.rules.clip) require_bounds_to_clip_to(plan);
-  if (!options.submit.empty()) check_submission(plan, options.submit, options.method);
-  identify_images(plan.scenes);
-  return plan;
+  require_disparities(request);
+  if (options.rules.clip) require_bounds_to_clip_to(request);
+  if (!options.submit.empty()) check_submission(request, options.submit, options.method);
+  identify_images(request.scenes);
+  return request;
 }
 
 /// The command line of one cell's run.
-std::vector<std::string> run_words(const BenchOptions& options, const BenchPlan& plan,
+std::vector<std::string> run_words(const BenchOptions& options, const BenchRequest& request,
                                    const BenchPipeline& pipeline, const BenchScene& scene,
                                    const std::string& folder) {
   std::vector<std::string> words{"pipeline", "run"};
@@ -121,7 +121,7 @@ std::vector<std::string> run_words(const BenchOptions& options, const BenchPlan&
   };
   add("--scene", scene.files.name);
   add("--output", folder);
-  add("--threads", std::to_string(plan.threads));
+  add("--threads", std::to_string(request.threads));
   add("--log-level", "warning");
   if (!options.dataset.empty()) add("--dataset", options.dataset);
   if (!options.memory_limit.empty()) add("--memory-limit", options.memory_limit);
@@ -150,7 +150,7 @@ void tell(const BenchProgress& at, Progress& progress) {
 
 /// Nothing is printed while the line of the progress stands on the terminal.
 void write_tables(const BenchResult& result, Progress& progress) {
-  const std::filesystem::path folder(result.plan.output);
+  const std::filesystem::path folder(result.request.output);
   progress.end();
   std::cout << bench_text(result) << std::flush;
   progress.begin("writing the tables");
@@ -170,25 +170,25 @@ void write_tables(const BenchResult& result, Progress& progress) {
 
 void submit(const BenchResult& result, const BenchOptions& options) {
   const auto commands = write_submission(result, options.submit, options.method);
-  if (commands.size() < result.plan.pipelines.size()) {
+  if (commands.size() < result.request.pipelines.size()) {
     spdlog::warn("--submit {}: left out are {} pipelines that are not done on all scenes",
-                 options.submit, result.plan.pipelines.size() - commands.size());
+                 options.submit, result.request.pipelines.size() - commands.size());
   }
   for (const std::string& command : commands) std::cout << "to pack: " << command << '\n';
 }
 
-int run_planned(const BenchOptions& options, const BenchPlan& plan, const BenchRules& rules) {
+int run_planned(const BenchOptions& options, const BenchRequest& request, const BenchRules& rules) {
   const Interruptible interruptible;
   Progress progress;
   const BenchHooks hooks{
       .run =
           [&](const BenchPipeline& pipeline, const BenchScene& scene, const std::string& folder) {
-            return run_program(kThisProgram, run_words(options, plan, pipeline, scene, folder),
+            return run_program(kThisProgram, run_words(options, request, pipeline, scene, folder),
                                (std::filesystem::path(folder) / "log.txt").string());
           },
       .tell = [&](const BenchProgress& at) { tell(at, progress); }};
   progress.begin("looking for what is done already");
-  const BenchResult result = run_bench(plan, rules, hooks);
+  const BenchResult result = run_bench(request, rules, hooks);
   write_tables(result, progress);
   if (!options.submit.empty()) submit(result, options);
   if (result.interrupted) {
@@ -201,11 +201,11 @@ int run_planned(const BenchOptions& options, const BenchPlan& plan, const BenchR
 int bench(const BenchOptions& options) {
   if (!options.memory_limit.empty()) parse_bytes(options.memory_limit, "--memory-limit");
   const BenchRules rules = rules_of(options);
-  std::optional<BenchPlan> plan;
+  std::optional<BenchRequest> request;
   std::optional<FolderLock> lock;
   try {
-    plan = make_plan(options);
-    if (!plan) return kUsage;
+    request = make_request(options);
+    if (!request) return kUsage;
     make_output_folder(options.output, "--output ");
     lock.emplace(options.output);
   } catch (const UsageError&) {
@@ -213,7 +213,7 @@ int bench(const BenchOptions& options) {
   } catch (const Error& error) {
     throw UsageError(error.message());
   }
-  return run_planned(options, *plan, rules);
+  return run_planned(options, *request, rules);
 }
 
 }  // namespace

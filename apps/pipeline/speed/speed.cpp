@@ -40,14 +40,14 @@ std::vector<std::string> choose(const std::string& what, const std::vector<std::
   return chosen;
 }
 
-SpeedPlan make_speed_plan(const Options& options) {
-  SpeedPlan plan;
-  plan.threads = use_threads(options.threads);
-  plan.rounds = options.repeat;
-  plan.peers = choose("StereoSGBM mode", options.opencv, opencv_modes());
-  plan.simd = choose("SIMD target", options.simd, simd_targets());
-  if (plan.simd.empty()) plan.simd.push_back(simd_target());
-  return plan;
+SpeedRace make_speed_plan(const Options& options) {
+  SpeedRace race;
+  race.threads = use_threads(options.threads);
+  race.rounds = options.repeat;
+  race.peers = choose("StereoSGBM mode", options.opencv, opencv_modes());
+  race.simd = choose("SIMD target", options.simd, simd_targets());
+  if (race.simd.empty()) race.simd.push_back(simd_target());
+  return race;
 }
 
 /// Empty if anything is wrong, all of which has been said.
@@ -75,21 +75,21 @@ void print(const Options& options, const SpeedResult& result) {
 }
 
 int speed(const Options& options) {
-  SpeedPlan plan = make_speed_plan(options);
+  SpeedRace race = make_speed_plan(options);
   const Registry registry = make_registry(options.plugins);
-  plan.pipelines = load_pipelines(options, registry);
-  if (plan.pipelines.empty()) return kUsage;
+  race.pipelines = load_pipelines(options, registry);
+  if (race.pipelines.empty()) return kUsage;
   if (!options.json.empty() && options.json != "-") {
     require_writable(std::filesystem::path(options.json).parent_path().string(), "--json ");
   }
   Progress progress;
   progress.begin("reading the images");
   SceneInputs inputs =
-      read_scene(scene_request(options, registry), plan.pipelines.front().pipeline);
+      read_scene(scene_request(options, registry), race.pipelines.front().pipeline);
   show_notes(inputs);
   const MatchRequest request{std::move(inputs.scene.pair), inputs.range, {}};
   const SpeedResult result =
-      time_pipelines(plan, request, [&](const std::string& what) { progress.begin(what); });
+      time_pipelines(race, request, [&](const std::string& what) { progress.begin(what); });
   progress.end();
   print(options, result);
   return kOk;

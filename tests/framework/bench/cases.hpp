@@ -15,11 +15,11 @@ inline BenchResult empty_result(const std::vector<std::string>& pipelines,
   BenchResult result;
   result.rules.thresholds = {1};
   for (const std::string& name : pipelines) {
-    result.plan.pipelines.push_back(
+    result.request.pipelines.push_back(
         {.name = name, .file = name + ".yaml", .overrides = {}, .resolved = "{}"});
   }
   for (const std::string& name : scenes) {
-    BenchScene& scene = result.plan.scenes.emplace_back();
+    BenchScene& scene = result.request.scenes.emplace_back();
     scene.set = "set";
     scene.files.name = name;
   }

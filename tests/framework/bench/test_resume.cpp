@@ -22,13 +22,13 @@ constexpr float kTruth = 5;
 /// Two pipelines on two scenes of 4 x 2 pixels; runs take the disparity 5 or 6 for all.
 struct Bench {
   Bench() {
-    plan.output = folder / "out";
-    plan.threads = 2;
-    plan.pipelines = {
+    request.output = folder / "out";
+    request.threads = 2;
+    request.pipelines = {
         {.name = "good", .file = "good.yaml", .overrides = {}, .resolved = R"({"p1": 4})"},
         {.name = "bad", .file = "bad.yaml", .overrides = {}, .resolved = R"({"p1": 9})"}};
     for (const std::string name : {"one", "two"}) {
-      BenchScene& scene = plan.scenes.emplace_back();
+      BenchScene& scene = request.scenes.emplace_back();
       scene.set = "set";
       scene.files.name = name;
       scene.files.disparities = Interval{0, 8};
@@ -37,7 +37,7 @@ struct Bench {
       scene.files.truth.disparity.file = folder / (name + ".pfm");
       write_pfm(scene.files.truth.disparity.file, cv::Mat1f(2, 4, kTruth));
     }
-    identify_images(plan.scenes);
+    identify_images(request.scenes);
   }
 
   RunOutcome fake(const BenchPipeline& pipeline, const BenchScene& scene,
@@ -62,11 +62,11 @@ struct Bench {
 
   BenchResult run() {
     runs.clear();
-    return run_bench(plan, rules, {.run = [this](const auto&... all) { return fake(all...); }});
+    return run_bench(request, rules, {.run = [this](const auto&... all) { return fake(all...); }});
   }
 
   TemporaryFolder folder;
-  BenchPlan plan;
+  BenchRequest request;
   BenchRules rules;
   std::vector<std::string> runs;
   std::size_t interrupt_at = 0;
@@ -111,7 +111,7 @@ TEST_CASE("other thresholds, another scale and another truth need no run") {
   CHECK(bench.runs == kNone);
   CHECK(judged(result.at(1, 0), result.rules)->at[0].bad == 7. / 8);  // 6 > 5
   CHECK(judged(result.at(1, 0), result.rules)->at[1].bad == 0);
-  write_pfm(bench.plan.scenes[0].files.truth.disparity.file, cv::Mat1f(2, 4, kTruth + 1.5F));
+  write_pfm(bench.request.scenes[0].files.truth.disparity.file, cv::Mat1f(2, 4, kTruth + 1.5F));
   result = bench.run();
   CHECK(bench.runs == kNone);
   CHECK(judged(result.at(1, 0), result.rules)->average_error == 0);
@@ -120,8 +120,8 @@ TEST_CASE("other thresholds, another scale and another truth need no run") {
 TEST_CASE("the scale may be that of each scene, and maps may be clipped to its range") {
   Bench bench;
   bench.rules = {.thresholds = {1}, .scale = 0, .clip = true, .region = {}};
-  bench.plan.scenes[0].files.scale = 4;
-  bench.plan.scenes[1].files.disparities = Interval{0, 6};  // ndisp 6 moves 6.5 to 6
+  bench.request.scenes[0].files.scale = 4;
+  bench.request.scenes[1].files.disparities = Interval{0, 6};  // ndisp 6 moves 6.5 to 6
   const BenchResult result = bench.run();
   CHECK(judged(result.at(1, 0), result.rules)->average_error == doctest::Approx(4 * 1.5));
   CHECK(judged(result.at(1, 1), result.rules)->average_error == doctest::Approx(1));
@@ -131,34 +131,34 @@ TEST_CASE("what has changed is run again, and nothing else") {
   Bench bench;
   bench.run();
   SUBCASE("a parameter of a pipeline") {
-    bench.plan.pipelines[1].resolved = R"({"p1": 10})";
+    bench.request.pipelines[1].resolved = R"({"p1": 10})";
     bench.run();
     CHECK(bench.runs == std::vector<std::string>{"bad one", "bad two"});
   }
   SUBCASE("an image") {
     bench.folder.write("two1.png", "something else");
-    identify_images(bench.plan.scenes);
+    identify_images(bench.request.scenes);
     bench.run();
     CHECK(bench.runs == std::vector<std::string>{"good two", "bad two"});
   }
   SUBCASE("a mask") {
-    bench.plan.scenes[0].files.images.left_mask = bench.folder.write("mask.png", "mask");
-    identify_images(bench.plan.scenes);
+    bench.request.scenes[0].files.images.left_mask = bench.folder.write("mask.png", "mask");
+    identify_images(bench.request.scenes);
     bench.run();
     CHECK(bench.runs == std::vector<std::string>{"good one", "bad one"});
   }
   SUBCASE("the disparities searched") {
-    bench.plan.scenes[0].files.disparities = Interval{0, 9};
+    bench.request.scenes[0].files.disparities = Interval{0, 9};
     bench.run();
     CHECK(bench.runs == std::vector<std::string>{"good one", "bad one"});
   }
   SUBCASE("the program") {
-    bench.plan.program = {{.bytes = 1, .fnv1a64 = "another"}};
+    bench.request.program = {{.bytes = 1, .fnv1a64 = "another"}};
     bench.run();
     CHECK(bench.runs == kAll);
   }
   SUBCASE("the threads: seconds of one table are comparable") {
-    bench.plan.threads = 1;
+    bench.request.threads = 1;
     bench.run();
     CHECK(bench.runs == kAll);
   }
@@ -206,7 +206,7 @@ TEST_CASE("an interrupted bench keeps what is done, and goes on from there") {
 TEST_CASE("what later cells had is judged after an interruption, too") {
   Bench bench;
   bench.run();
-  bench.plan.pipelines[0].resolved = "{}";
+  bench.request.pipelines[0].resolved = "{}";
   bench.interrupt_at = 1;
   const BenchResult result = bench.run();
   CHECK(bench.runs.size() == 1);
@@ -239,7 +239,7 @@ TEST_CASE("a truth that cannot be read fails the cells of its scene, not the ben
 
 TEST_CASE("scenes without truth have seconds, memory and density") {
   Bench bench;
-  for (BenchScene& scene : bench.plan.scenes) scene.files.truth = {};
+  for (BenchScene& scene : bench.request.scenes) scene.files.truth = {};
   const BenchResult result = bench.run();
   CHECK(result.failures() == 0);
   CHECK(result.at(0, 0).density == 7. / 8);
@@ -250,7 +250,7 @@ TEST_CASE("scenes without truth have seconds, memory and density") {
 TEST_CASE("the time left is told once a run has shown how long they take") {
   Bench bench;
   std::vector<double> left;
-  run_bench(bench.plan, bench.rules,
+  run_bench(bench.request, bench.rules,
             {.run = [&](const auto&... all) { return bench.fake(all...); },
              .tell =
                  [&](const BenchProgress& at) {

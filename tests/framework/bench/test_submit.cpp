@@ -27,10 +27,10 @@ constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 struct Done {
   Done(const std::string& set, const std::string& scene, const cv::Mat1f& map)
       : result(empty_result({"sgm8"}, {scene})) {
-    result.plan.output = folder.path();
-    result.plan.scenes[0].set = set;
+    result.request.output = folder.path();
+    result.request.scenes[0].set = set;
     result.cells = {xgm::testing::done(0, 0, 0, 1.25)};
-    const std::string cell = cell_folder(result.plan, 0, 0);
+    const std::string cell = cell_folder(result.request, 0, 0);
     fs::create_directories(cell);
     write_pfm(cell + "/disparity.pfm", map);
     if (cv::countNonZero(map == map) < static_cast<int>(map.total())) result.cells[0].density = .5;
@@ -108,19 +108,20 @@ TEST_CASE("KITTI's images end at 65535") {
 
 TEST_CASE("a frame of KITTI may be called by its left image") {
   Done bench("testing", "frame 46", kDense);
-  CHECK(contains(error_of([&] { check_submission(bench.result.plan, "kitti", ""); }), "frame 46"));
-  bench.result.plan.scenes[0].files.images.left = "image_2/000046_10.png";
-  CHECK_NOTHROW(check_submission(bench.result.plan, "kitti", ""));
+  CHECK(
+      contains(error_of([&] { check_submission(bench.result.request, "kitti", ""); }), "frame 46"));
+  bench.result.request.scenes[0].files.images.left = "image_2/000046_10.png";
+  CHECK_NOTHROW(check_submission(bench.result.request, "kitti", ""));
 }
 
 TEST_CASE("what cannot be a submission is said before any run") {
   Done bench("my_scenes", "Teddy", kDense);
-  BenchPlan& plan = bench.result.plan;
-  CHECK(contains(error_of([&] { check_submission(plan, "middlebury", ""); }), "my_scenes"));
-  CHECK(contains(error_of([&] { check_submission(plan, "nobody", ""); }), "choose middlebury"));
-  CHECK(contains(error_of([&] { check_submission(plan, "eth3d", "a/b"); }), "letters"));
-  plan.pipelines.push_back(plan.pipelines[0]);
-  CHECK(contains(error_of([&] { check_submission(plan, "eth3d", "xGM"); }), "one at a time"));
+  BenchRequest& request = bench.result.request;
+  CHECK(contains(error_of([&] { check_submission(request, "middlebury", ""); }), "my_scenes"));
+  CHECK(contains(error_of([&] { check_submission(request, "nobody", ""); }), "choose middlebury"));
+  CHECK(contains(error_of([&] { check_submission(request, "eth3d", "a/b"); }), "letters"));
+  request.pipelines.push_back(request.pipelines[0]);
+  CHECK(contains(error_of([&] { check_submission(request, "eth3d", "xGM"); }), "one at a time"));
 }
 
 TEST_CASE("a pipeline that failed on a scene is not submitted") {

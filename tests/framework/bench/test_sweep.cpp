@@ -101,17 +101,18 @@ TEST_CASE("names are fit for folders, and pipelines called alike are told apart"
 }
 
 TEST_CASE("scenes whose names differ never share a folder") {
-  BenchPlan plan{.output = "out", .pipelines = {{}}, .scenes = {}};
-  plan.pipelines[0].name = "sgm8";
+  BenchRequest request{.output = "out", .pipelines = {{}}, .scenes = {}};
+  request.pipelines[0].name = "sgm8";
   for (const std::string& name : {std::string("a_b"), std::string("a b"), std::string("a/b"),
                                   std::string(300, 'x'), std::string(301, 'x')}) {
-    BenchScene& scene = plan.scenes.emplace_back();
+    BenchScene& scene = request.scenes.emplace_back();
     scene.set = "set";
     scene.files.name = name;
   }
   std::set<std::string> folders;
-  for (std::size_t i = 0; i < plan.scenes.size(); ++i) folders.insert(cell_folder(plan, 0, i));
-  CHECK(folders.size() == plan.scenes.size());
+  for (std::size_t i = 0; i < request.scenes.size(); ++i)
+    folders.insert(cell_folder(request, 0, i));
+  CHECK(folders.size() == request.scenes.size());
   CHECK(folders.contains("out/sgm8/set/a_b"));
 }
 

@@ -71,7 +71,7 @@ std::size_t bars(const std::string& line) {
 /// Two pipelines on two scenes of which the second counts half.
 BenchResult two_by_two() {
   BenchResult result = empty_result({"a", "b"}, {"one", "two"});
-  result.plan.scenes[1].files.weight = 0.5;
+  result.request.scenes[1].files.weight = 0.5;
   result.cells = {done(0.10, 0.20, 1, 2), done(0.12, 0.16, 2, 1),   // scene one
                   done(0.40, 0.08, 4, 4), done(0.30, 0.10, 2, 3)};  // scene two
   return result;
@@ -188,15 +188,15 @@ TEST_CASE("an interrupted bench says how much is missing") {
 
 TEST_CASE("sets are averaged each by itself") {
   BenchResult result = two_by_two();
-  result.plan.scenes[1].set = "other";
+  result.request.scenes[1].set = "other";
   CHECK(sets(result) == std::vector<std::string>{"set", "other"});
   CHECK(tables(result).at(1).rows.at(0) == "a 1 4.00 40.00 8.00* 48.00 4.00 100* 12.5");
 }
 
 TEST_CASE("Markdown tables have as many cells in each row, whatever the names hold") {
   BenchResult result = two_by_two();
-  result.plan.pipelines[0].name = "a|b*c";
-  result.plan.scenes[0].files.name = "<one>\n|";
+  result.request.pipelines[0].name = "a|b*c";
+  result.request.scenes[0].files.name = "<one>\n|";
   result.cells[3] = failed("it | broke\nbadly `here`");
   const std::string text = bench_markdown(result);
   std::size_t rows = 0, wanted = 0;
@@ -242,7 +242,7 @@ TEST_CASE("JSON holds averages, cells with all regions, and what failed") {
 
 TEST_CASE("HTML shows the tables with every name escaped") {
   BenchResult result = two_by_two();
-  result.plan.scenes[0].files.name = "<script>";
+  result.request.scenes[0].files.name = "<script>";
   const std::string page = bench_tables_html(result);
   CHECK_FALSE(contains(page, "<script>"));
   CHECK(contains(page, "&lt;script&gt;"));
@@ -262,7 +262,7 @@ TEST_CASE("terminal tables align, dashes included") {
 
 TEST_CASE("a line above the terminal's tables says what they are of") {
   BenchResult result = two_by_two();
-  result.plan.threads = 2;
+  result.request.threads = 2;
   CHECK(lines_of(bench_text(result)).front() ==
         "shares in %, errors in px of the maps; judged: non-occluded pixels; 2 threads");
   result.rules = {.thresholds = {1}, .scale = 4, .clip = true, .region = "all"};

@@ -19,8 +19,8 @@ namespace {
 /// Two contestants whose figures are easily checked.
 SpeedResult known_result() {
   SpeedResult result{{}, {1000, 500}, {0, 20}, {}};
-  result.plan.threads = 2;
-  result.plan.rounds = 3;
+  result.race.threads = 2;
+  result.race.rounds = 3;
   result.times = {
       {.name = "ours",
        .simd = "avx2",
@@ -32,7 +32,7 @@ SpeedResult known_result() {
   return result;
 }
 
-SpeedPlan small_plan() {
+SpeedRace small_plan() {
   const char* yaml =
       "xgm: 1\n"
       "matcher:\n"
@@ -41,11 +41,11 @@ SpeedPlan small_plan() {
       "  penalty: {type: constant, p1: 24, p2: 96}\n"
       "  aggregation: {type: sgm, directions: 4}\n"
       "  filters: [{type: median, window: 3}, {type: median, window: 5}]\n";
-  SpeedPlan plan;
-  plan.pipelines.push_back({"small", *load_pipeline_text(yaml, "small.yaml", builtins()).pipeline});
-  plan.simd = simd_targets();
-  plan.rounds = 2;
-  return plan;
+  SpeedRace race;
+  race.pipelines.push_back({"small", *load_pipeline_text(yaml, "small.yaml", builtins()).pipeline});
+  race.simd = simd_targets();
+  race.rounds = 2;
+  return race;
 }
 
 MatchRequest small_request(cv::Size size) {
@@ -53,8 +53,8 @@ MatchRequest small_request(cv::Size size) {
   return {pair, DisparityRange::uniform(size, {-2, 9}), {}};
 }
 
-SpeedResult timed(const SpeedPlan& plan, const MatchRequest& request) {
-  return time_pipelines(plan, request, [](const std::string&) {});
+SpeedResult timed(const SpeedRace& race, const MatchRequest& request) {
+  return time_pipelines(race, request, [](const std::string&) {});
 }
 
 }  // namespace
@@ -113,10 +113,10 @@ TEST_CASE("programs get every round") {
 }
 
 TEST_CASE("every target and every mode of OpenCV is timed in every round") {
-  SpeedPlan plan = small_plan();
-  plan.peers = opencv_modes();
+  SpeedRace race = small_plan();
+  race.peers = opencv_modes();
   const std::string before = simd_target();
-  const SpeedResult result = timed(plan, small_request({61, 23}));
+  const SpeedResult result = timed(race, small_request({61, 23}));
   CHECK(simd_target() == before);
   REQUIRE(result.times.size() == simd_targets().size() + 4);
   for (const SpeedTimes& times : result.times) {
@@ -135,9 +135,9 @@ TEST_CASE("every target and every mode of OpenCV is timed in every round") {
 }
 
 TEST_CASE("what OpenCV cannot match is noted, and the pipelines are timed all the same") {
-  SpeedPlan plan = small_plan();
-  plan.peers = {"hh"};
-  const SpeedResult result = timed(plan, small_request({16, 8}));
+  SpeedRace race = small_plan();
+  race.peers = {"hh"};
+  const SpeedResult result = timed(race, small_request({16, 8}));
   CHECK(contains(result.times.back().failure, "no wider than the search range"));
   CHECK(result.times.back().seconds.empty());
   CHECK(result.times.front().seconds.size() == 2);
@@ -146,12 +146,12 @@ TEST_CASE("what OpenCV cannot match is noted, and the pipelines are timed all th
 TEST_CASE("what does not exist is refused before anything is timed") {
   bool told = false;
   const auto tell = [&](const std::string&) { told = true; };
-  SpeedPlan plan = small_plan();
-  plan.peers = {"hhh"};
-  CHECK_THROWS_AS(time_pipelines(plan, small_request({16, 8}), tell), Error);
-  plan = small_plan();
-  plan.simd = {"mmx"};
-  CHECK_THROWS_AS(time_pipelines(plan, small_request({16, 8}), tell), Error);
+  SpeedRace race = small_plan();
+  race.peers = {"hhh"};
+  CHECK_THROWS_AS(time_pipelines(race, small_request({16, 8}), tell), Error);
+  race = small_plan();
+  race.simd = {"mmx"};
+  CHECK_THROWS_AS(time_pipelines(race, small_request({16, 8}), tell), Error);
   MatchRequest mapped = small_request({4, 1});
   mapped.range = DisparityRange(cv::Mat1i(1, 4, 0), cv::Mat1i(1, 4, 2));
   CHECK_THROWS_AS(time_pipelines(small_plan(), mapped, tell), Error);

@@ -47,7 +47,7 @@ class MeanEvaluation {
 
 std::vector<std::string> sets(const BenchResult& result) {
   std::vector<std::string> names;
-  for (const BenchScene& scene : result.plan.scenes) {
+  for (const BenchScene& scene : result.request.scenes) {
     if (std::find(names.begin(), names.end(), scene.set) == names.end()) names.push_back(scene.set);
   }
   return names;
@@ -59,8 +59,8 @@ BenchAverage average(const BenchResult& result, std::size_t pipeline, const std:
   BenchCell& figures = average.figures;
   MeanEvaluation mean;
   bool has_truth = false;
-  for (std::size_t i = 0; i < result.plan.scenes.size(); ++i) {
-    const BenchScene& scene = result.plan.scenes[i];
+  for (std::size_t i = 0; i < result.request.scenes.size(); ++i) {
+    const BenchScene& scene = result.request.scenes[i];
     if (scene.set != set) continue;
     ++average.of;
     const BenchCell& cell = result.at(pipeline, i);

@@ -34,7 +34,7 @@ class Lines {
   void add(const std::string& kind, const std::string& set, const std::string& scene,
            std::size_t pipeline, std::size_t scenes, double weight, const BenchCell& cell) {
     for (const std::string& text :
-         {kind, set, scene, result_.plan.pipelines[pipeline].name,
+         {kind, set, scene, result_.request.pipelines[pipeline].name,
           std::string(state_text(cell.state)), std::to_string(scenes), number(weight)}) {
       out_ += field(text) + ",";
     }
@@ -74,17 +74,17 @@ class Lines {
 
 std::string bench_csv(const BenchResult& result) {
   Lines lines(result);
-  const auto& [plan, rules, cells, interrupted] = result;
+  const auto& [request, rules, cells, interrupted] = result;
   for (const std::string& set : sets(result)) {
-    for (std::size_t i = 0; i < plan.pipelines.size(); ++i) {
+    for (std::size_t i = 0; i < request.pipelines.size(); ++i) {
       const BenchAverage mean = average(result, i, set);
       lines.add("average", set, "", i, mean.scenes, 1, mean.figures);
     }
   }
-  for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
-    for (std::size_t i = 0; i < plan.pipelines.size(); ++i) {
-      const SceneFiles& files = plan.scenes[scene].files;
-      lines.add("scene", plan.scenes[scene].set, files.name, i, 1, files.weight,
+  for (std::size_t scene = 0; scene < request.scenes.size(); ++scene) {
+    for (std::size_t i = 0; i < request.pipelines.size(); ++i) {
+      const SceneFiles& files = request.scenes[scene].files;
+      lines.add("scene", request.scenes[scene].set, files.name, i, 1, files.weight,
                 result.at(i, scene));
     }
   }

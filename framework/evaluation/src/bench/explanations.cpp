@@ -28,8 +28,8 @@ std::vector<std::string> explanations(const BenchResult& result) {
       scale_text(result.rules.scale),
       "avg err: mean error of the pixels that have a disparity, px. invalid: pixels without one, "
       "bad: off by more than so many px, total: invalid + bad; all in percent.",
-      "s: seconds of matching (" + std::to_string(result.plan.threads) +
-          (result.plan.threads == 1 ? " thread" : " threads") +
+      "s: seconds of matching (" + std::to_string(result.request.threads) +
+          (result.request.threads == 1 ? " thread" : " threads") +
           "), MB: the most memory the run's process had, MDE/s: million disparity evaluations per "
           "second, width x height x disparities of the search range / seconds.",
       "Averages: errors by the data set's weights; seconds are a mean, MB the largest.",

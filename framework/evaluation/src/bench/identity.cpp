@@ -60,14 +60,14 @@ void identify_images(std::vector<BenchScene>& scenes) {
   }
 }
 
-std::string cell_identity(const BenchPlan& plan, std::size_t pipeline, std::size_t scene) {
-  const BenchScene& where = plan.scenes[scene];
+std::string cell_identity(const BenchRequest& request, std::size_t pipeline, std::size_t scene) {
+  const BenchScene& where = request.scenes[scene];
   Json identity{{"format", kFormat},
-                {"program", json(plan.program)},
+                {"program", json(request.program)},
                 {"opencv", CV_VERSION},
-                {"pipeline", Json::parse(plan.pipelines[pipeline].resolved)},
+                {"pipeline", Json::parse(request.pipelines[pipeline].resolved)},
                 {"images", json(where.images)},
-                {"threads", plan.threads}};
+                {"threads", request.threads}};
   if (where.files.disparities) {
     identity["disparities"] = {where.files.disparities->begin, where.files.disparities->end};
   }

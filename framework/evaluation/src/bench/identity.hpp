@@ -9,7 +9,7 @@
 namespace xgm {
 
 /// All that decides what a cell's run gives, as JSON.
-std::string cell_identity(const BenchPlan& plan, std::size_t pipeline, std::size_t scene);
+std::string cell_identity(const BenchRequest& request, std::size_t pipeline, std::size_t scene);
 
 /// Whether mark_done was called for this folder and identity, and the results are as they were
 /// then.

@@ -19,9 +19,9 @@ void add_figures(Json& json, const BenchCell& cell) {
   json["truth"] = to_json(cell.regions);
 }
 
-Json pipelines(const BenchPlan& plan) {
+Json pipelines(const BenchRequest& request) {
   Json list = Json::array();
-  for (const BenchPipeline& pipeline : plan.pipelines) {
+  for (const BenchPipeline& pipeline : request.pipelines) {
     Json overrides = Json::array();
     for (const Override& change : pipeline.overrides) {
       overrides.push_back({{"path", change.path}, {"value", change.value}});
@@ -37,10 +37,10 @@ Json pipelines(const BenchPlan& plan) {
 Json averages(const BenchResult& result) {
   Json list = Json::array();
   for (const std::string& set : sets(result)) {
-    for (std::size_t i = 0; i < result.plan.pipelines.size(); ++i) {
+    for (std::size_t i = 0; i < result.request.pipelines.size(); ++i) {
       const BenchAverage mean = average(result, i, set);
       Json json = {{"set", set},
-                   {"pipeline", result.plan.pipelines[i].name},
+                   {"pipeline", result.request.pipelines[i].name},
                    {"scenes", mean.scenes},
                    {"of", mean.of},
                    {"comparable", mean.comparable}};
@@ -53,15 +53,15 @@ Json averages(const BenchResult& result) {
 
 Json cells(const BenchResult& result) {
   Json list = Json::array();
-  for (std::size_t scene = 0; scene < result.plan.scenes.size(); ++scene) {
-    for (std::size_t i = 0; i < result.plan.pipelines.size(); ++i) {
+  for (std::size_t scene = 0; scene < result.request.scenes.size(); ++scene) {
+    for (std::size_t i = 0; i < result.request.pipelines.size(); ++i) {
       const BenchCell& cell = result.at(i, scene);
-      const BenchScene& where = result.plan.scenes[scene];
+      const BenchScene& where = result.request.scenes[scene];
       Json json = {{"set", where.set},
                    {"scene", where.files.name},
-                   {"pipeline", result.plan.pipelines[i].name},
+                   {"pipeline", result.request.pipelines[i].name},
                    {"weight", where.files.weight},
-                   {"folder", cell_folder(result.plan, i, scene)},
+                   {"folder", cell_folder(result.request, i, scene)},
                    {"state", state_text(cell.state)}};
       add_figures(json, cell);
       list.push_back(std::move(json));
@@ -77,13 +77,13 @@ std::string bench_json(const BenchResult& result) {
   Json json = {{"format", 1},
                {"xgm", XGM_VERSION},
                {"interrupted", result.interrupted},
-               {"threads", result.plan.threads},
+               {"threads", result.request.threads},
                {"rules",
                 {{"thresholds_px", rules.thresholds},
                  {"scale", rules.scale > 0 ? Json(rules.scale) : Json("full")},
                  {"clip", rules.clip},
                  {"region", rules.region.empty() ? "non-occluded, else all" : rules.region}}},
-               {"pipelines", pipelines(result.plan)},
+               {"pipelines", pipelines(result.request)},
                {"averages", averages(result)},
                {"cells", cells(result)}};
   return json.dump(2) + "\n";

@@ -77,9 +77,9 @@ void name_folders(std::vector<BenchPipeline>& pipelines) {
   }
 }
 
-std::string cell_folder(const BenchPlan& plan, std::size_t pipeline, std::size_t scene) {
-  const BenchScene& where = plan.scenes[scene];
-  return (fs::path(plan.output) / plan.pipelines[pipeline].name / where.set /
+std::string cell_folder(const BenchRequest& request, std::size_t pipeline, std::size_t scene) {
+  const BenchScene& where = request.scenes[scene];
+  return (fs::path(request.output) / request.pipelines[pipeline].name / where.set /
           scene_folder_name(where.files.name))
       .string();
 }

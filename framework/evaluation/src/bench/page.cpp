@@ -59,17 +59,17 @@ std::string record(const std::string& folder, const BenchCell& cell, const Bench
 }
 
 ReportRun show(const BenchResult& result, std::size_t pipeline, std::size_t scene, int step) {
-  const std::string folder = cell_folder(result.plan, pipeline, scene);
+  const std::string folder = cell_folder(result.request, pipeline, scene);
   DisparityMap map = read_result(folder);
   read_statuses(folder, map);
-  return {.name = result.plan.pipelines[pipeline].name,
+  return {.name = result.request.pipelines[pipeline].name,
           .record_json = record(folder, result.at(pipeline, scene), result.rules),
           .map = thinned(map, step)};
 }
 
 /// What cannot be read any more is left out, and `missing` tells.
 ReportScene show(const BenchResult& result, std::size_t scene, std::string& missing) {
-  const BenchScene& where = result.plan.scenes[scene];
+  const BenchScene& where = result.request.scenes[scene];
   const Image left = read_pair(where.files.images).pair.base;
   const auto maps = static_cast<double>(result.cells.size());
   const int step =
@@ -83,13 +83,13 @@ ReportScene show(const BenchResult& result, std::size_t scene, std::string& miss
     shown.truth.disparity = thinned(all.disparity, step);
     shown.truth.non_occluded = thinned(all.non_occluded, step);
   }
-  for (std::size_t i = 0; i < result.plan.pipelines.size(); ++i) {
+  for (std::size_t i = 0; i < result.request.pipelines.size(); ++i) {
     if (result.at(i, scene).state != CellState::done) continue;
     try {
       shown.runs.push_back(show(result, i, scene, step));
     } catch (const std::exception& error) {
       missing += "<p>" +
-                 html_text(result.plan.pipelines[i].name + " on " + shown.name +
+                 html_text(result.request.pipelines[i].name + " on " + shown.name +
                            " is not shown: " + error.what()) +
                  "</p>\n";
     }
@@ -104,7 +104,7 @@ std::string bench_html(const BenchResult& result) {
                 .tables_html = bench_tables_html(result),
                 .scenes = {},
                 .max_bytes = kMaxBytes};
-  for (std::size_t scene = 0; scene < result.plan.scenes.size(); ++scene) {
+  for (std::size_t scene = 0; scene < result.request.scenes.size(); ++scene) {
     if (result.any_done(scene)) {
       report.scenes.push_back(show(result, scene, report.tables_html));
     }

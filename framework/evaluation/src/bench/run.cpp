@@ -12,12 +12,12 @@ namespace {
 
 class Bench {
  public:
-  Bench(const BenchPlan& plan, const BenchRules& rules, const BenchHooks& hooks)
-      : hooks_(hooks), result_{plan, rules, {}} {}
+  Bench(const BenchRequest& request, const BenchRules& rules, const BenchHooks& hooks)
+      : hooks_(hooks), result_{request, rules, {}} {}
 
   BenchResult run() {
-    const std::size_t pipelines = result_.plan.pipelines.size();
-    const std::size_t total = pipelines * result_.plan.scenes.size();
+    const std::size_t pipelines = result_.request.pipelines.size();
+    const std::size_t total = pipelines * result_.request.scenes.size();
     result_.cells.resize(total);
     for (std::size_t i = 0; i < total; ++i) {
       if (!is_done(folder(i), identity(i))) missing_.push_back(i);
@@ -33,21 +33,21 @@ class Bench {
  private:
   using Clock = std::chrono::steady_clock;
 
-  std::size_t pipeline(std::size_t i) const { return i % result_.plan.pipelines.size(); }
-  std::size_t scene(std::size_t i) const { return i / result_.plan.pipelines.size(); }
+  std::size_t pipeline(std::size_t i) const { return i % result_.request.pipelines.size(); }
+  std::size_t scene(std::size_t i) const { return i / result_.request.pipelines.size(); }
   std::string folder(std::size_t i) const {
-    return cell_folder(result_.plan, pipeline(i), scene(i));
+    return cell_folder(result_.request, pipeline(i), scene(i));
   }
   std::string identity(std::size_t i) const {
-    return cell_identity(result_.plan, pipeline(i), scene(i));
+    return cell_identity(result_.request, pipeline(i), scene(i));
   }
 
   void run(std::size_t i) {
     tell(i, nullptr);
     const auto begin = Clock::now();
     begin_cell(folder(i));
-    const RunOutcome outcome =
-        hooks_.run(result_.plan.pipelines[pipeline(i)], result_.plan.scenes[scene(i)], folder(i));
+    const RunOutcome outcome = hooks_.run(result_.request.pipelines[pipeline(i)],
+                                          result_.request.scenes[scene(i)], folder(i));
     if (outcome.interrupted) {
       result_.interrupted = true;
       return;
@@ -66,7 +66,7 @@ class Bench {
       std::size_t i, const std::function<void()>& before = [] {}) {
     try {
       before();
-      result_.cells[i] = judge_cell(folder(i), result_.plan.scenes[scene(i)], result_.rules);
+      result_.cells[i] = judge_cell(folder(i), result_.request.scenes[scene(i)], result_.rules);
     } catch (const std::exception& error) {
       result_.cells[i] = {.state = CellState::failed, .failure = error.what()};
     }
@@ -76,8 +76,8 @@ class Bench {
     const auto left = static_cast<double>(missing_.size() - runs_);
     hooks_.tell({.number = i + 1,
                  .total = result_.cells.size(),
-                 .pipeline = result_.plan.pipelines[pipeline(i)].name,
-                 .scene = result_.plan.scenes[scene(i)].files.name,
+                 .pipeline = result_.request.pipelines[pipeline(i)].name,
+                 .scene = result_.request.scenes[scene(i)].files.name,
                  .finished = cell != nullptr,
                  .cell = cell,
                  .seconds_left = runs_ > 0 ? left * seconds_ / static_cast<double>(runs_) : -1});
@@ -92,12 +92,13 @@ class Bench {
 
 }  // namespace
 
-BenchResult run_bench(const BenchPlan& plan, const BenchRules& rules, const BenchHooks& hooks) {
-  return Bench(plan, rules, hooks).run();
+BenchResult run_bench(const BenchRequest& request, const BenchRules& rules,
+                      const BenchHooks& hooks) {
+  return Bench(request, rules, hooks).run();
 }
 
 bool BenchResult::any_done(std::size_t scene) const {
-  for (std::size_t i = 0; i < plan.pipelines.size(); ++i) {
+  for (std::size_t i = 0; i < request.pipelines.size(); ++i) {
     if (at(i, scene).state == CellState::done) return true;
   }
   return false;

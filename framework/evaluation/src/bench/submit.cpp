@@ -119,14 +119,14 @@ const Benchmark& benchmark_called(const std::string& name) {
 
 /// Whether some map of the pipeline has pixels without disparity.
 bool is_sparse(const BenchResult& result, std::size_t pipeline) {
-  for (std::size_t scene = 0; scene < result.plan.scenes.size(); ++scene) {
+  for (std::size_t scene = 0; scene < result.request.scenes.size(); ++scene) {
     if (result.at(pipeline, scene).density < 1) return true;
   }
   return false;
 }
 
 bool is_complete(const BenchResult& result, std::size_t pipeline) {
-  for (std::size_t scene = 0; scene < result.plan.scenes.size(); ++scene) {
+  for (std::size_t scene = 0; scene < result.request.scenes.size(); ++scene) {
     if (result.at(pipeline, scene).state != CellState::done) return false;
   }
   return true;
@@ -134,13 +134,13 @@ bool is_complete(const BenchResult& result, std::size_t pipeline) {
 
 }  // namespace
 
-void check_submission(const BenchPlan& plan, const std::string& benchmark,
+void check_submission(const BenchRequest& request, const std::string& benchmark,
                       const std::string& method) {
   const Benchmark& to = benchmark_called(benchmark);
-  for (const BenchScene& scene : plan.scenes) to.check(scene);
-  if (!method.empty() && plan.pipelines.size() > 1) {
+  for (const BenchScene& scene : request.scenes) to.check(scene);
+  if (!method.empty() && request.pipelines.size() > 1) {
     throw Error("--method " + method + ": names one pipeline, but there are " +
-                std::to_string(plan.pipelines.size()) + "; submit one at a time");
+                std::to_string(request.pipelines.size()) + "; submit one at a time");
   }
   constexpr const char* kAllowed =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._+=-";
@@ -153,18 +153,18 @@ void check_submission(const BenchPlan& plan, const std::string& benchmark,
 
 std::vector<std::string> write_submission(const BenchResult& result, const std::string& benchmark,
                                           const std::string& method) {
-  check_submission(result.plan, benchmark, method);
+  check_submission(result.request, benchmark, method);
   std::vector<std::string> commands;
-  for (std::size_t i = 0; i < result.plan.pipelines.size(); ++i) {
+  for (std::size_t i = 0; i < result.request.pipelines.size(); ++i) {
     if (!is_complete(result, i)) continue;
-    const std::string& name = result.plan.pipelines[i].name;
-    const fs::path folder = fs::path(result.plan.output) / "submit" / name;
+    const std::string& name = result.request.pipelines[i].name;
+    const fs::path folder = fs::path(result.request.output) / "submit" / name;
     fs::remove_all(folder);  // files of another method would be taken for its results
-    for (std::size_t scene = 0; scene < result.plan.scenes.size(); ++scene) {
+    for (std::size_t scene = 0; scene < result.request.scenes.size(); ++scene) {
       benchmark_called(benchmark).write({.folder = folder,
                                          .method = method.empty() ? name : method,
-                                         .scene = result.plan.scenes[scene],
-                                         .map = read_result(cell_folder(result.plan, i, scene)),
+                                         .scene = result.request.scenes[scene],
+                                         .map = read_result(cell_folder(result.request, i, scene)),
                                          .sparse = is_sparse(result, i),
                                          .seconds = result.at(i, scene).seconds});
     }

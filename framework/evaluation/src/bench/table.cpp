@@ -112,8 +112,8 @@ std::vector<std::string> header(std::vector<std::string> names,
 
 std::vector<std::size_t> scenes_of(const BenchResult& result, const std::string& set) {
   std::vector<std::size_t> scenes;
-  for (std::size_t i = 0; i < result.plan.scenes.size(); ++i) {
-    if (result.plan.scenes[i].set == set) scenes.push_back(i);
+  for (std::size_t i = 0; i < result.request.scenes.size(); ++i) {
+    if (result.request.scenes[i].set == set) scenes.push_back(i);
   }
   return scenes;
 }
@@ -122,12 +122,12 @@ std::vector<std::size_t> scenes_of(const BenchResult& result, const std::string&
 void note_missing(Table& table, const BenchResult& result, const std::vector<std::size_t>& scenes) {
   std::size_t not_run = 0;
   for (const std::size_t scene : scenes) {
-    for (std::size_t i = 0; i < result.plan.pipelines.size(); ++i) {
+    for (std::size_t i = 0; i < result.request.pipelines.size(); ++i) {
       const BenchCell& cell = result.at(i, scene);
       if (cell.state == CellState::not_run) ++not_run;
       if (cell.state != CellState::failed) continue;
-      table.notes.push_back(result.plan.pipelines[i].name + " failed on " +
-                            result.plan.scenes[scene].files.name + ": " + cell.failure);
+      table.notes.push_back(result.request.pipelines[i].name + " failed on " +
+                            result.request.scenes[scene].files.name + ": " + cell.failure);
     }
   }
   if (not_run > 0) table.notes.push_back(std::to_string(not_run) + " runs are still to be done");
@@ -136,7 +136,7 @@ void note_missing(Table& table, const BenchResult& result, const std::vector<std
 void note_regions(Table& table, const BenchResult& result, const std::vector<std::size_t>& scenes) {
   std::string without_truth, without_region;
   for (const std::size_t scene : scenes) {
-    for (std::size_t i = 0; i < result.plan.pipelines.size(); ++i) {
+    for (std::size_t i = 0; i < result.request.pipelines.size(); ++i) {
       const BenchCell& cell = result.at(i, scene);
       if (cell.state != CellState::done) continue;
       const bool all = !cell.regions.empty() && result.rules.region.empty() &&
@@ -144,7 +144,7 @@ void note_regions(Table& table, const BenchResult& result, const std::vector<std
       std::string* list = judged(cell, result.rules) == nullptr ? &without_truth : nullptr;
       if (all) list = &without_region;
       if (list != nullptr) {
-        *list += (list->empty() ? "" : ", ") + result.plan.scenes[scene].files.name;
+        *list += (list->empty() ? "" : ", ") + result.request.scenes[scene].files.name;
         break;
       }
     }
@@ -170,10 +170,10 @@ std::string average_title(const BenchResult& result, const std::string& set,
   std::vector<double> weights;  // of the scenes that any pipeline has done
   for (const std::size_t scene : scenes) {
     bool done = false;
-    for (std::size_t i = 0; i < result.plan.pipelines.size(); ++i) {
+    for (std::size_t i = 0; i < result.request.pipelines.size(); ++i) {
       done = done || result.at(i, scene).state == CellState::done;
     }
-    if (done) weights.push_back(result.plan.scenes[scene].files.weight);
+    if (done) weights.push_back(result.request.scenes[scene].files.weight);
   }
   const bool even =
       std::adjacent_find(weights.begin(), weights.end(), std::not_equal_to<>()) == weights.end();
@@ -209,10 +209,10 @@ Table average_table(const BenchResult& result, const std::string& set) {
               .names = 2,
               .header = header({"pipeline", "scenes"}, figures)};
   std::vector<std::size_t> comparable;
-  for (std::size_t i = 0; i < result.plan.pipelines.size(); ++i) {
+  for (std::size_t i = 0; i < result.request.pipelines.size(); ++i) {
     const BenchAverage mean = average(result, i, set);
     auto& row = table.rows.emplace_back();
-    row = {{result.plan.pipelines[i].name}, {count(mean)}};
+    row = {{result.request.pipelines[i].name}, {count(mean)}};
     add_figures(row, figures, mean.figures);
     if (mean.comparable) comparable.push_back(i);
   }
@@ -234,9 +234,9 @@ Table scene_table(const BenchResult& result, const std::string& set) {
   const std::vector<std::size_t> scenes = scenes_of(result, set);
   for (const std::size_t scene : scenes) {
     std::vector<std::vector<TableCell>> rows;
-    for (std::size_t i = 0; i < result.plan.pipelines.size(); ++i) {
+    for (std::size_t i = 0; i < result.request.pipelines.size(); ++i) {
       auto& row = rows.emplace_back();
-      row = {{result.plan.scenes[scene].files.name}, {result.plan.pipelines[i].name}};
+      row = {{result.request.scenes[scene].files.name}, {result.request.pipelines[i].name}};
       add_figures(row, figures, result.at(i, scene));
     }
     mark_best(pointers(rows), table.names, figures);

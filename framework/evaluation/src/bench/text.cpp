@@ -46,7 +46,7 @@ std::string legend(const BenchResult& result) {
   if (rules.scale != 0 && rules.scale != 1) text += " times " + short_number(rules.scale);
   text += "; judged: " + (rules.region.empty() ? "non-occluded" : rules.region) + " pixels";
   if (rules.clip) text += ", clipped to the search range";
-  const int threads = result.plan.threads;
+  const int threads = result.request.threads;
   return text + "; " + std::to_string(threads) + (threads == 1 ? " thread\n" : " threads\n");
 }
 

@@ -43,8 +43,8 @@ std::string speed_json(const SpeedResult& result) {
       {"width", result.size.width},
       {"height", result.size.height},
       {"disparities", {{"first", result.disparities.begin}, {"last", result.disparities.end - 1}}},
-      {"threads", result.plan.threads},
-      {"rounds", result.plan.rounds},
+      {"threads", result.race.threads},
+      {"rounds", result.race.rounds},
       {"times", times}};
   return json.dump(2) + "\n";
 }

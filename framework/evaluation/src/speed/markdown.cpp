@@ -46,7 +46,7 @@ std::string ratio(const SpeedTimes& peer, const SpeedTimes& times) {
 bool is_peer(const SpeedTimes& times) { return times.simd.empty(); }
 
 std::string title(const SpeedResult& result) {
-  const int threads = result.plan.threads, rounds = result.plan.rounds;
+  const int threads = result.race.threads, rounds = result.race.rounds;
   const auto counted = [](int count, const std::string& what) {
     return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
   };

@@ -57,32 +57,32 @@ void run_peer(SpeedTimes& times, const std::string& mode, const speed::OpenCvPee
 
 }  // namespace
 
-SpeedResult time_pipelines(const SpeedPlan& plan, const MatchRequest& request,
+SpeedResult time_pipelines(const SpeedRace& race, const MatchRequest& request,
                            const std::function<void(const std::string&)>& tell) {
   if (!request.range.is_uniform()) {
     throw Error("times are compared for one interval of the whole image; give no range maps");
   }
-  SpeedResult result{plan, request.pair.size(), request.range.hull(), {}};
+  SpeedResult result{race, request.pair.size(), request.range.hull(), {}};
   std::vector<std::function<void(SpeedTimes&)>> runs;
-  for (const SpeedPipeline& pipeline : plan.pipelines) {
-    for (const std::string& target : plan.simd) {
+  for (const SpeedPipeline& pipeline : race.pipelines) {
+    for (const std::string& target : race.simd) {
       const SimdChoice known(target);  // throws before anything is timed
       result.times.push_back({pipeline.name, target});
       runs.emplace_back([&](SpeedTimes& times) {
-        run_pipeline(times, pipeline.pipeline, request, plan.threads);
+        run_pipeline(times, pipeline.pipeline, request, race.threads);
       });
     }
   }
   const speed::OpenCvPeer peer(request.pair, request.range.hull());
-  for (const std::string& mode : plan.peers) {
+  for (const std::string& mode : race.peers) {
     result.times.push_back({speed::peer_name(mode), ""});
     runs.emplace_back([&](SpeedTimes& times) { run_peer(times, mode, peer); });
   }
   const BufferReuse
       reuse;  // as where many pairs are matched: rounds do not begin by getting memory
-  for (int round = 1; round <= plan.rounds; ++round) {
+  for (int round = 1; round <= race.rounds; ++round) {
     for (std::size_t i = 0; i < runs.size(); ++i) {
-      tell("round " + std::to_string(round) + " of " + std::to_string(plan.rounds) + ": " +
+      tell("round " + std::to_string(round) + " of " + std::to_string(race.rounds) + ": " +
            result.times[i].name);
       runs[i](result.times[i]);
     }

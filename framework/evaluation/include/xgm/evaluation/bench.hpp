@@ -50,7 +50,7 @@ struct BenchScene {
 };
 
 /// The runs of a bench.
-struct BenchPlan {
+struct BenchRequest {
   std::string output;
   std::vector<BenchPipeline> pipelines;
   std::vector<BenchScene> scenes;
@@ -97,13 +97,13 @@ struct BenchCell {
 };
 
 struct XGM_API BenchResult {
-  BenchPlan plan;
+  BenchRequest request;
   BenchRules rules;
   std::vector<BenchCell> cells;  ///< scene by scene
   bool interrupted = false;
 
   const BenchCell& at(std::size_t pipeline, std::size_t scene) const {
-    return cells[scene * plan.pipelines.size() + pipeline];
+    return cells[scene * request.pipelines.size() + pipeline];
   }
   std::size_t failures() const;
   /// Whether some pipeline has finished the scene.
@@ -133,14 +133,15 @@ struct BenchHooks {
 };
 
 /// The folder of one cell: OUTPUT/PIPELINE/SET/SCENE.
-XGM_API std::string cell_folder(const BenchPlan& plan, std::size_t pipeline, std::size_t scene);
+XGM_API std::string cell_folder(const BenchRequest& request, std::size_t pipeline,
+                                std::size_t scene);
 
 /// Runs all cells that are not done, scene by scene, and evaluates all maps with the current ground
 /// truth. A cell is done if an earlier bench ran it with the same program, resolved pipeline,
 /// images, disparities and threads, and its files have not changed since. Holds one map in memory
 /// at a time. After an interruption, only finished cells are evaluated. Throws Error if the output
 /// cannot be written.
-XGM_API BenchResult run_bench(const BenchPlan& plan, const BenchRules& rules,
+XGM_API BenchResult run_bench(const BenchRequest& request, const BenchRules& rules,
                               const BenchHooks& hooks);
 
 }  // namespace xgm

@@ -18,7 +18,7 @@ XGM_API std::vector<std::string> write_submission(const BenchResult& result,
                                                   const std::string& benchmark,
                                                   const std::string& method);
 /// Throws, before any run, the Error that write_submission would throw.
-XGM_API void check_submission(const BenchPlan& plan, const std::string& benchmark,
+XGM_API void check_submission(const BenchRequest& request, const std::string& benchmark,
                               const std::string& method);
 
 }  // namespace xgm

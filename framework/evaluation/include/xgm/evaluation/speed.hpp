@@ -19,7 +19,7 @@ struct SpeedPipeline {
 
 /// What to time. Every contestant runs once in each round, so that a disturbance of the machine
 /// affects all of them.
-struct SpeedPlan {
+struct SpeedRace {
   std::vector<SpeedPipeline> pipelines;
   std::vector<std::string> simd;  ///< every pipeline runs with each of these; see xgm/base/simd.hpp
   std::vector<std::string> peers;  ///< of opencv_modes()
@@ -51,7 +51,7 @@ struct SpeedTimes {
 };
 
 struct SpeedResult {
-  SpeedPlan plan;
+  SpeedRace race;
   cv::Size size;
   Interval disparities;
   std::vector<SpeedTimes> times;  ///< the pipelines, then OpenCV
@@ -66,7 +66,7 @@ XGM_API const std::vector<std::string>& opencv_modes();
 /// a multiple of 16; its left-right check cannot be switched off. The failure of a peer (memory,
 /// disparities that it does not support) is recorded. Throws Error if a pipeline fails, or for an
 /// unknown name. `tell` is called before each run ("round 2 of 5: sgm8").
-XGM_API SpeedResult time_pipelines(const SpeedPlan& plan, const MatchRequest& request,
+XGM_API SpeedResult time_pipelines(const SpeedRace& race, const MatchRequest& request,
                                    const std::function<void(const std::string&)>& tell);
 
 /// The median; of an even number of values, the mean of the middle two. 0 if there are none.
