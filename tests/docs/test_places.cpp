@@ -105,7 +105,7 @@ TEST_CASE("own pyramid: explanations follow a pixel through its levels") {
 
 TEST_CASE("own pyramid: plans know its levels, views and what the finer one searches") {
   const MatchRequest asked = request();
-  const RunTrace trace = RunTrace::of_whole(two_scales(), asked, 1);
+  const RunTrace trace = RunTrace::of_whole(two_scales(), asked, {.threads = 1});
   REQUIRE(trace.narrowing);
   PlanRequest larger{.load = Workload::dense({1210, 910}, 1, {0, 240})};
   const RunPlan plan = plan_run(trace, larger);

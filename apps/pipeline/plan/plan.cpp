@@ -141,7 +141,7 @@ RunTrace trace_of_generated(const Pipeline& pipeline, int threads) {
   options.disparities = {0, 64};
   synthesis::GeneratedScene scene = synthesis::generate(options);
   const auto range = DisparityRange::uniform(scene.pair.size(), scene.disparities);
-  return RunTrace::of_whole(pipeline, {std::move(scene.pair), range, {}}, threads);
+  return RunTrace::of_whole(pipeline, {std::move(scene.pair), range, {}}, {.threads = threads});
 }
 
 RunPlan plan_of_size(const Options& options, const Pipeline& pipeline, int threads,
@@ -156,7 +156,7 @@ RunPlan plan_of_scene(const SceneRequest& scene, const Pipeline& pipeline, int t
   show_notes(inputs);
   const MatchRequest match{std::move(inputs.scene.pair), inputs.range, {}};
   request = {.load = workload_of(match, threads), .truth = !inputs.scene.truth.disparity.empty()};
-  return plan_run(RunTrace::of_reduced(pipeline, match, threads), request);
+  return plan_run(RunTrace::of_reduced(pipeline, match, {.threads = threads}), request);
 }
 
 int plan(const Options& options) {

@@ -35,7 +35,7 @@ MatchRequest small_request() {
 }
 
 RunTrace trace_of(const Pipeline& pipeline) {
-  return RunTrace::of_whole(pipeline, small_request(), 1);
+  return RunTrace::of_whole(pipeline, small_request(), {.threads = 1});
 }
 
 PlanRequest dense(cv::Size size, int disparities) {

@@ -102,30 +102,36 @@ MatchRequest reduced(const MatchRequest& request, int factor) {
 
 }  // namespace
 
-RunTrace RunTrace::of_whole(const Pipeline& pipeline, const MatchRequest& request, int threads) {
-  const Workload load = workload_of(request, threads);
+RunTrace RunTrace::of_whole(const Pipeline& pipeline, const MatchRequest& request,
+                            const RunOptions& options) {
+  const Workload load =
+      workload_of(request, options.threads > 0 ? options.threads : thread_count());
   const BufferReuse reuse;  // so that the second run waits for no memory, as little as a large one
-  pipeline.run(request, {.threads = threads});
+  RunOptions watched = options;
+  watched.observer = nullptr;
+  pipeline.run(request, watched);
   trace::Tracer tracer(load);
-  pipeline.run(request, {.observer = &tracer, .threads = threads});
+  watched.observer = &tracer;
+  pipeline.run(request, watched);
   const auto calls = std::make_shared<RunTrace::Calls>();
   calls->pipeline = pipeline;
   calls->load = load;
   calls->calls = tracer.take_calls();
   calls->buffers = tracer.take_buffers();
   calls->events = tracer.take_events();
-  calls->bandwidth = measure_bandwidth(threads);
+  calls->bandwidth = measure_bandwidth(load.threads);
   RunTrace seen;
   seen.narrowing = fit(calls->calls, load.range);
   seen.calls_ = calls;
   return seen;
 }
 
-RunTrace RunTrace::of_reduced(const Pipeline& pipeline, const MatchRequest& request, int threads) {
+RunTrace RunTrace::of_reduced(const Pipeline& pipeline, const MatchRequest& request,
+                              const RunOptions& options) {
   const double pixels = request.pair.size().area();
   int factor = 2;
   while (pixels / (factor * factor) > kMaxPixels) factor *= 2;
-  return of_whole(pipeline, reduced(request, factor), threads);
+  return of_whole(pipeline, reduced(request, factor), options);
 }
 
 }  // namespace xgm

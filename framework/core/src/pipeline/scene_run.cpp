@@ -27,10 +27,11 @@ void tell(const SceneInputs& inputs, Observer& observer) {
 }
 
 void guard(const Pipeline& pipeline, const MatchRequest& request, const SceneInputs& inputs,
-           int threads, Observer& observer) {
-  const PlanRequest plan{.load = workload_of(request, threads > 0 ? threads : thread_count()),
+           const RunOptions& options, Observer& observer) {
+  const int threads = options.threads > 0 ? options.threads : thread_count();
+  const PlanRequest plan{.load = workload_of(request, threads),
                          .truth = !inputs.scene.truth.disparity.empty()};
-  const std::string warning = guard_memory(pipeline, request, plan, inputs.memory_limit);
+  const std::string warning = guard_memory(pipeline, request, plan, inputs.memory_limit, options);
   if (!warning.empty()) observer.log(LogLevel::warning, {}, warning);
 }
 
@@ -44,7 +45,7 @@ SceneRun match_scene(const Pipeline& pipeline, SceneInputs inputs, const RunOpti
   if (options.observer != nullptr) observers.add(*options.observer);
   tell(inputs, observers);
   const MatchRequest request{inputs.scene.pair, inputs.range, {}};
-  guard(pipeline, request, inputs, options.threads, observers);
+  guard(pipeline, request, inputs, options, observers);
   RunOptions observed = options;
   observed.observer = &observers;
   const Stopwatch matching;

@@ -26,11 +26,14 @@ struct Narrowing {
 /// What was seen of a small run. Refers to the pipeline's stages, and holds none of its pixels.
 class XGM_API RunTrace {
  public:
-  /// Runs the pipeline twice on a pair that is several times smaller than `request`'s: 0.1 to 0.4
-  /// megapixels. Throws Error as a run does.
-  static RunTrace of_reduced(const Pipeline& pipeline, const MatchRequest& request, int threads);
+  /// Runs the pipeline twice, with the options' resources and without their observer, on a pair
+  /// that is several times smaller than `request`'s: 0.1 to 0.4 megapixels. Throws Error and
+  /// Cancelled as a run does.
+  static RunTrace of_reduced(const Pipeline& pipeline, const MatchRequest& request,
+                             const RunOptions& options = {});
   /// The same with this pair as it is.
-  static RunTrace of_whole(const Pipeline& pipeline, const MatchRequest& request, int threads);
+  static RunTrace of_whole(const Pipeline& pipeline, const MatchRequest& request,
+                           const RunOptions& options = {});
 
   /// Of the scene; none without a pyramid. May be replaced by what is known better.
   std::optional<Narrowing> narrowing;
