@@ -17,7 +17,7 @@ constexpr std::size_t kBytes = std::size_t{256} << 20;  // of each buffer
 constexpr std::size_t kCells = kBytes / sizeof(std::uint16_t);
 
 struct Buffers {
-  Cells from = new_buffer(kBytes), to = new_buffer(kBytes);
+  AlignedBuffer from = new_buffer(kBytes), to = new_buffer(kBytes);
   std::uint16_t* source() const { return static_cast<std::uint16_t*>(from.get()); }
   std::uint16_t* target() const { return static_cast<std::uint16_t*>(to.get()); }
 
