@@ -135,6 +135,35 @@ TEST_CASE("an unknown option is named, and not what follows from it") {
   CHECK(contains(outcome.errors, "there is no option '--piplines'; did you mean '--pipelines'?"));
 }
 
+TEST_CASE("short options that do not exist, and long ones with one dash, are named") {
+  const TemporaryFolder folder;
+  const Outcome unknown = call(folder, "run sgm8 -x 3");
+  CHECK(unknown.exit_code == 2);
+  CHECK(contains(unknown.errors, "there is no option '-x'"));
+  const Outcome one_dash = call(folder, "run sgm8 -disparities 0:15");
+  CHECK(one_dash.exit_code == 2);
+  CHECK(contains(one_dash.errors, "did you mean '--disparities'?"));
+  const Outcome early = call(folder, "--disparities 0:15 run sgm8");
+  CHECK(early.exit_code == 2);
+  CHECK(contains(early.errors, "the subcommand comes first"));
+}
+
+TEST_CASE("images without option names: the message names --left and --right") {
+  const Pair pair(9);
+  for (const char* command :
+       {"run sgm8 left.png right.png", "plan sgm8 left.png right.png", "run sgm8 left.png",
+        "run left.png right.png", "speed sgm8 left.png right.png",
+        "explain sgm8 left.png right.png 3 4"}) {
+    CAPTURE(command);
+    const Outcome outcome = call(pair, command);
+    CHECK(outcome.exit_code == 2);
+    CHECK(contains(outcome.errors, "--left"));
+  }
+  const Outcome judged = call(pair, "eval left.png right.png");
+  CHECK(judged.exit_code == 2);
+  CHECK(contains(judged.errors, "--truth"));
+}
+
 TEST_CASE("output that cannot be written to stdout is a failure") {
   const TemporaryFolder folder;
   for (const char* arguments : {"list", "schema", "graph sgm8", "--help"}) {

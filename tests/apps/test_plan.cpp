@@ -126,7 +126,11 @@ TEST_CASE("run: --memory-limit refuses before any work, and says what to change"
   const Outcome nothing = desk.call("run sgm8 scene --memory-limit 1MB");
   check_usage(nothing, "match smaller images, or raise the limit");
   CHECK_FALSE(contains(nothing.errors, "disparities, "));
-  CHECK(desk.call("run tsgm8 scene --memory-limit 1.5GB --log-level error").exit_code == 0);
+  for (const char* size : {"1.5GB", "2G", "2gb", "'800 MiB'", "1g"}) {
+    CAPTURE(size);
+    CHECK(desk.call(std::string("run tsgm8 scene --log-level error --memory-limit ") + size)
+              .exit_code == 0);
+  }
 }
 
 TEST_CASE("bench: a run above --memory-limit is a failed cell with the reason") {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // pipeline bench: many pipelines on many scenes.
 #include "xgm/evaluation/bench.hpp"
+#include "terminal/console.hpp"
 
-#include <spdlog/spdlog.h>
+#include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -48,7 +49,7 @@ std::optional<std::vector<BenchPipeline>> load_pipelines(const BenchOptions& opt
       const auto pipeline = load_named(name, registry, all);
       sound = sound && pipeline;
       if (!pipeline) {
-        spdlog::error("so pipeline {}{} cannot be run", name, point.name);
+        log_error("so pipeline " + name + point.name + " cannot be run");
         continue;
       }
       pipelines.push_back(
@@ -142,9 +143,10 @@ void tell(const BenchProgress& at, Progress& progress) {
   if (!at.finished) {
     progress.begin(what);
   } else if (at.cell->state == CellState::failed) {
-    spdlog::warn("{} failed: {}", what, at.cell->failure);
+    log_warning(what + " failed: " + at.cell->failure);
   } else {
-    spdlog::info("{}: {:.2f} s, {:.0f} MB", what, at.cell->seconds, at.cell->peak_bytes / 1e6);
+    log_info(
+        fmt::format("{}: {:.2f} s, {:.0f} MB", what, at.cell->seconds, at.cell->peak_bytes / 1e6));
   }
 }
 
@@ -171,8 +173,9 @@ void write_tables(const BenchResult& result, Progress& progress) {
 void submit(const BenchResult& result, const BenchOptions& options) {
   const auto commands = write_submission(result, options.submit, options.method);
   if (commands.size() < result.request.pipelines.size()) {
-    spdlog::warn("--submit {}: left out are {} pipelines that are not done on all scenes",
-                 options.submit, result.request.pipelines.size() - commands.size());
+    log_warning("--submit " + options.submit + ": left out are " +
+                std::to_string(result.request.pipelines.size() - commands.size()) +
+                " pipelines that are not done on all scenes");
   }
   for (const std::string& command : commands) std::cout << "to pack: " << command << '\n';
 }
@@ -192,7 +195,7 @@ int run_planned(const BenchOptions& options, const BenchRequest& request, const 
   write_tables(result, progress);
   if (!options.submit.empty()) submit(result, options);
   if (result.interrupted) {
-    spdlog::warn("interrupted; the same command goes on from here");
+    log_warning("interrupted; the same command goes on from here");
     return kSignalled + Interruptible::signal();
   }
   return result.failures() == 0 ? kOk : kFailed;
@@ -218,12 +221,11 @@ int bench(const BenchOptions& options) {
 
 }  // namespace
 
-void add_bench(CLI::App& app, Invocation& call) {
+void add_bench(CommandLine& line) {
   auto options = std::make_shared<BenchOptions>();
-  add_bench_options(
-      add_command(app, call, "bench", "Run pipelines on the scenes of data sets, and compare them",
-                  [options] { return bench(*options); }),
-      *options);
+  add_bench_options(line.add("bench", "Run pipelines on the scenes of data sets, and compare them",
+                             [options] { return bench(*options); }),
+                    *options);
 }
 
 }  // namespace xgm::cli

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench/bench_options.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include "options/scene_options.hpp"
+#include "options/thresholds.hpp"
 #include "options/values.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/pipeline/lookup.hpp"
@@ -12,86 +11,79 @@ namespace xgm::cli {
 namespace {
 
 /// What "a, b" was split into.
-std::string trimmed(std::string item) { return CLI::detail::trim(item); }
 
-void add_work(CLI::App& command, BenchOptions& options) {
+void add_work(Command command, BenchOptions& options) {
   command
-      .add_option("--pipelines", options.pipelines,
-                  "Pipeline files or names of shipped ones, separated by commas; all: every "
-                  "shipped one")
-      ->type_name("PIPELINE,...")
-      ->delimiter(',')
-      ->transform(trimmed)
-      ->required();
+      .option("--pipelines", options.pipelines,
+              "Pipeline files or names of shipped ones, separated by commas; all: every "
+              "shipped one")
+      .type_name("PIPELINE,...")
+      .comma_separated()
+      .required();
   command
-      .add_option("--data", options.data,
-                  "Folders of scenes, or scenes, of any known data set (see 'pipeline list "
-                  "dataset')")
-      ->type_name("DIR...")
-      ->required();
+      .option("--data", options.data,
+              "Folders of scenes, or scenes, of any known data set (see 'pipeline list "
+              "dataset')")
+      .type_name("DIR...")
+      .required();
   add_dataset_option(command, options.dataset);
-  command.add_option("--scenes", options.scenes, "Only these scenes, separated by commas")
-      ->type_name("NAME,...")
-      ->delimiter(',')
-      ->transform(trimmed);
+  command.option("--scenes", options.scenes, "Only these scenes, separated by commas")
+      .type_name("NAME,...")
+      .comma_separated();
   add_set_option(command, options.assignments);
   command
-      .add_option("--sweep", options.sweeps,
-                  "Run every pipeline with each of these values, for example "
-                  "matcher.scale=4,8; may be given again: all combinations")
-      ->type_name("PATH=VALUE,...")
-      ->allow_extra_args(false);
+      .option("--sweep", options.sweeps,
+              "Run every pipeline with each of these values, for example "
+              "matcher.scale=4,8; may be given again: all combinations")
+      .type_name("PATH=VALUE,...")
+      .one_value_each();
   add_threads_option(command, options.threads, "Threads of each run; without it all processors");
   add_memory_limit_option(command, options.memory_limit);
 }
 
-void add_rules(CLI::App& command, BenchOptions& options) {
+void add_rules(Command command, BenchOptions& options) {
+  add_thresholds_option(command, options.thresholds);
   command
-      .add_option("--thresholds", options.thresholds,
-                  "Errors above these are bad, px after --scale")
-      ->type_name("PX,PX,...")
-      ->default_str("0.5,1,2,4");
+      .option("--scale", options.scale,
+              "Multiply errors by it before they are judged: 4 judges maps of quarter "
+              "resolution in px of the full one; full: what each scene's data set says")
+      .type_name("NUMBER|full")
+      .show_default();
+  command.flag("--clip", options.rules.clip,
+               "Move disparities into 0 to ndisp of the scene before they are judged, as "
+               "Middlebury does");
   command
-      .add_option("--scale", options.scale,
-                  "Multiply errors by it before they are judged: 4 judges maps of quarter "
-                  "resolution in px of the full one; full: what each scene's data set says")
-      ->type_name("NUMBER|full")
-      ->capture_default_str();
-  command.add_flag("--clip", options.rules.clip,
-                   "Move disparities into 0 to ndisp of the scene before they are judged, as "
-                   "Middlebury does");
-  command
-      .add_option("--region", options.rules.region,
-                  "Pixels that are judged. Without it: non-occluded, where a scene tells")
-      ->type_name("NAME")
-      ->check(CLI::IsMember(
-          {"all", "non-occluded", "occluded", "near discontinuities", "background", "foreground"}));
+      .option("--region", options.rules.region,
+              "Pixels that are judged. Without it: non-occluded, where a scene tells")
+      .type_name("NAME")
+      .one_of(
+          {"all", "non-occluded", "occluded", "near discontinuities", "background", "foreground"});
 }
 
-void add_output(CLI::App& command, BenchOptions& options) {
+void add_output(Command command, BenchOptions& options) {
   command
-      .add_option("-o,--output", options.output,
-                  "Folder for bench.md, bench.csv, bench.json, bench.html and, in "
-                  "PIPELINE/SET/SCENE, the results of every run. What is done there already is not "
-                  "run again")
-      ->type_name("DIR")
-      ->capture_default_str();
-  auto* submit = command
-                     .add_option("--submit", options.submit,
-                                 "Also write what this benchmark wants uploaded, to DIR/submit")
-                     ->type_name("middlebury|eth3d|kitti")
-                     ->check(CLI::IsMember({"middlebury", "eth3d", "kitti"}));
+      .option("-o,--output", options.output,
+              "Folder for bench.md, bench.csv, bench.json, bench.html and, in "
+              "PIPELINE/SET/SCENE, the results of every run. What is done there already is not "
+              "run again")
+      .type_name("DIR")
+      .show_default();
+  auto submit = command
+                    .option("--submit", options.submit,
+                            "Also write what this benchmark wants uploaded, to DIR/submit")
+                    .type_name("middlebury|eth3d|kitti")
+                    .one_of({"middlebury", "eth3d", "kitti"});
   command
-      .add_option("--method", options.method,
-                  "What the upload calls the pipeline; without it by its own name")
-      ->type_name("NAME")
-      ->needs(submit);
+      .option("--method", options.method,
+              "What the upload calls the pipeline; without it by its own name")
+      .type_name("NAME")
+      .needs(submit);
   add_plugin_options(command, options.plugins);
 }
 
 }  // namespace
 
-void add_bench_options(CLI::App& command, BenchOptions& options) {
+void add_bench_options(Command command, BenchOptions& options) {
   add_work(command, options);
   add_rules(command, options);
   add_output(command, options);

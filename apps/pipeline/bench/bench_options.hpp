@@ -28,7 +28,7 @@ struct BenchOptions {
   PluginOptions plugins;
 };
 
-void add_bench_options(CLI::App& command, BenchOptions& options);
+void add_bench_options(Command command, BenchOptions& options);
 
 /// The pipelines that were named; "all" is every shipped one. Throws UsageError.
 std::vector<std::string> pipeline_names(const BenchOptions& options);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // pipeline check: is the configuration sound?
-#include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
 
@@ -33,13 +32,13 @@ int check(const Options& options) {
 
 }  // namespace
 
-void add_check(CLI::App& app, Invocation& call) {
+void add_check(CommandLine& line) {
   auto options = std::make_shared<Options>();
-  CLI::App& command = add_command(app, call, "check", "Check pipeline files; opens no image",
-                                  [options] { return check(*options); });
-  command.add_option("pipelines", options->pipelines, "Pipeline files or names of shipped ones")
-      ->type_name("PIPELINE...")
-      ->required();
+  Command command = line.add("check", "Check pipeline files; opens no image",
+                             [options] { return check(*options); });
+  command.option("pipelines", options->pipelines, "Pipeline files or names of shipped ones")
+      .type_name("PIPELINE...")
+      .required();
   add_set_option(command, options->assignments);
   add_plugin_options(command, options->plugins);
 }

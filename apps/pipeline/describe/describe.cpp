@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // pipeline describe: which parameters does a plugin have?
-#include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
 
@@ -35,16 +34,16 @@ int describe(const Options& options) {
 
 }  // namespace
 
-void add_describe(CLI::App& app, Invocation& call) {
+void add_describe(CommandLine& line) {
   auto options = std::make_shared<Options>();
-  CLI::App& command = add_command(app, call, "describe", "Describe a plugin and its parameters",
-                                  [options] { return describe(*options); });
+  Command command = line.add("describe", "Describe a plugin and its parameters",
+                             [options] { return describe(*options); });
   command
-      .add_option("plugin", options->plugin,
-                  "Name, or KIND/NAME; if several kinds have the name, all are shown")
-      ->type_name("PLUGIN")
-      ->required();
-  command.add_flag("--json", options->json, "For programs: an object, or a list if several match");
+      .option("plugin", options->plugin,
+              "Name, or KIND/NAME; if several kinds have the name, all are shown")
+      .type_name("PLUGIN")
+      .required();
+  command.flag("--json", options->json, "For programs: an object, or a list if several match");
   add_plugin_options(command, options->plugins);
 }
 

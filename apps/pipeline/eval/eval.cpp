@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // pipeline eval: how good is a disparity map?
-#include <spdlog/spdlog.h>
-
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -9,6 +7,7 @@
 #include "commands.hpp"
 #include "eval/eval_options.hpp"
 #include "eval/eval_table.hpp"
+#include "terminal/console.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/evaluation/run_record.hpp"
 #include "xgm/io/file.hpp"
@@ -45,6 +44,9 @@ Comparison find_files(const EvalOptions& options) {
   if (options.scene.empty() && options.truth.empty()) {
     throw UsageError("nothing says what is true; add --truth FILE or a SCENE_DIR");
   }
+  if (std::filesystem::is_regular_file(options.scene)) {
+    throw UsageError(options.scene + ": a scene is a folder; give ground truth as --truth FILE");
+  }
   if (!options.scene.empty()) {
     files.scene = find_scene(options.scene, make_registry(options.plugins), options.scene_name,
                              options.dataset);
@@ -70,10 +72,8 @@ void warn_of_other_images(const EvalOptions& options, const SceneFiles& scene) {
     if (identity.bytes == used.identity.bytes && identity.fnv1a64 == used.identity.fnv1a64) {
       continue;
     }
-    spdlog::warn(
-        "{} is a run of other images ({}) than those of scene {} ({}); is it judged by "
-        "the right truth?",
-        options.map, used.file, scene.name, file);
+    log_warning(options.map + " is a run of other images (" + used.file + ") than those of scene " +
+                scene.name + " (" + file + "); is it judged by the right truth?");
     return;
   }
 }
@@ -150,10 +150,10 @@ int eval(const EvalOptions& options) {
 
 }  // namespace
 
-void add_eval(CLI::App& app, Invocation& call) {
+void add_eval(CommandLine& line) {
   auto options = std::make_shared<EvalOptions>();
-  add_eval_options(add_command(app, call, "eval", "Compare a disparity map with the truth",
-                               [options] { return eval(*options); }),
+  add_eval_options(line.add("eval", "Compare a disparity map with the truth",
+                            [options] { return eval(*options); }),
                    *options);
 }
 

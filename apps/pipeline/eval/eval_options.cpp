@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "eval/eval_options.hpp"
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 
 #include "options/scene_options.hpp"
+#include "options/thresholds.hpp"
 #include "options/values.hpp"
 #include "xgm/base/error.hpp"
 
@@ -13,86 +13,77 @@ namespace {
 
 constexpr const char* kBound = "ndisp";
 
-CLI::Validator existing(const CLI::Validator& check) {
-  return CLI::Validator(check).description("");
-}
-
-void add_inputs(CLI::App& command, EvalOptions& options) {
+void add_inputs(Command command, EvalOptions& options) {
   command
-      .add_option("map", options.map,
-                  "Disparities to judge: PFM, PNG with --divisor, or the output folder of "
-                  "'pipeline run'")
-      ->type_name("DISPARITY|OUTPUT_DIR")
-      ->check(existing(CLI::ExistingPath))
-      ->required();
-  auto* scene =
-      command.add_option("scene", options.scene, "Folder of the scene: its truth, mask and ndisp")
-          ->type_name("SCENE_DIR")
-          ->check(existing(CLI::ExistingDirectory));
-  command.add_option("--scene", options.scene_name, "Which scene, if SCENE_DIR holds several")
-      ->type_name("NAME")
-      ->needs(scene);
-  add_dataset_option(command, options.dataset)->needs(scene);
+      .option("map", options.map,
+              "Disparities to judge: PFM, PNG with --divisor, or the output folder of "
+              "'pipeline run'")
+      .type_name("DISPARITY|OUTPUT_DIR")
+      .existing_path()
+      .required();
+  auto scene =
+      command.option("scene", options.scene, "Folder of the scene: its truth, mask and ndisp")
+          .type_name("SCENE_DIR")
+          .existing_path();
+  command.option("--scene", options.scene_name, "Which scene, if SCENE_DIR holds several")
+      .type_name("NAME")
+      .needs(scene);
+  add_dataset_option(command, options.dataset).needs(scene);
   add_plugin_options(command, options.plugins);
   command
-      .add_option("--divisor", options.divisor,
-                  "What values of DISPARITY are divided by to give px (KITTI: 256); without it "
-                  "only float files are taken for disparities")
-      ->type_name("NUMBER");
-  auto* truth = command.add_option("--truth", options.truth,
-                                   "True disparities: PFM, or PNG with --truth-divisor");
-  truth->type_name("FILE")->check(existing(CLI::ExistingFile))->excludes(scene);
+      .option("--divisor", options.divisor,
+              "What values of DISPARITY are divided by to give px (KITTI: 256); without it "
+              "only float files are taken for disparities")
+      .type_name("NUMBER");
+  auto truth = command.option("--truth", options.truth,
+                              "True disparities: PFM, or PNG with --truth-divisor");
+  truth.type_name("FILE").existing_file().excludes(scene);
   command
-      .add_option("--truth-divisor,--truth-scale", options.truth_divisor,
-                  "The same for the truth (negative: a map of the right view, stored as positive "
-                  "numbers)")
-      ->type_name("NUMBER")
-      ->needs(truth);
-  auto* mask = command.add_option("--mask,--truth-mask", options.mask,
-                                  "Image that is 255 on non-occluded pixels (mask0nocc.png)");
-  auto* objects = command.add_option("--objects", options.objects,
-                                     "Object map, 0 = background (KITTI: obj_map)");
-  for (auto* option : {mask, objects}) {
-    option->type_name("FILE")->check(existing(CLI::ExistingFile))->needs(truth);
+      .option("--truth-divisor,--truth-scale", options.truth_divisor,
+              "The same for the truth (negative: a map of the right view, stored as positive "
+              "numbers)")
+      .type_name("NUMBER")
+      .needs(truth);
+  auto mask = command.option("--mask,--truth-mask", options.mask,
+                             "Image that is 255 on non-occluded pixels (mask0nocc.png)");
+  auto objects =
+      command.option("--objects", options.objects, "Object map, 0 = background (KITTI: obj_map)");
+  for (Option option : {mask, objects}) {
+    option.type_name("FILE").existing_file().needs(truth);
   }
   command
-      .add_option("--confidence", options.confidence,
-                  "Float image, larger = surer: judged by sparsification. Without it "
-                  "confidence.pfm of OUTPUT_DIR, if there is one")
-      ->type_name("FILE")
-      ->check(existing(CLI::ExistingFile));
+      .option("--confidence", options.confidence,
+              "Float image, larger = surer: judged by sparsification. Without it "
+              "confidence.pfm of OUTPUT_DIR, if there is one")
+      .type_name("FILE")
+      .existing_file();
 }
 
-void add_rules(CLI::App& command, EvalOptions& options) {
+void add_rules(Command command, EvalOptions& options) {
+  add_thresholds_option(command, options.thresholds);
   command
-      .add_option("--thresholds", options.thresholds,
-                  "Errors above these are bad, px after --scale")
-      ->type_name("PX,PX,...")
-      ->default_str("0.5,1,2,4");
+      .option("--scale", options.scale,
+              "Multiplies errors: 4 judges maps of quarter resolution in px of full resolution")
+      .type_name("NUMBER")
+      .show_default("1");
   command
-      .add_option("--scale", options.scale,
-                  "Multiplies errors: 4 judges maps of quarter resolution in px of full resolution")
-      ->type_name("NUMBER")
-      ->default_str("1");
-  command
-      .add_option("--clip", options.clip,
-                  "Move disparities outside to its ends first, both included, px; 'ndisp': 0 to "
-                  "ndisp of the scene, as Middlebury's evaluation does")
-      ->type_name("MIN:MAX|ndisp");
+      .option("--clip", options.clip,
+              "Move disparities outside to its ends first, both included, px; 'ndisp': 0 to "
+              "ndisp of the scene, as Middlebury's evaluation does")
+      .type_name("MIN:MAX|ndisp");
 }
 
 }  // namespace
 
-void add_eval_options(CLI::App& command, EvalOptions& options) {
+void add_eval_options(Command command, EvalOptions& options) {
   add_inputs(command, options);
   add_rules(command, options);
   command
-      .add_option("--json", options.json,
-                  "Write all figures as JSON; - is standard output, which "
-                  "then holds nothing else")
-      ->type_name("FILE|-");
-  command.add_option("--csv", options.csv, "The same as CSV, a line per region")
-      ->type_name("FILE|-");
+      .option("--json", options.json,
+              "Write all figures as JSON; - is standard output, which "
+              "then holds nothing else")
+      .type_name("FILE|-");
+  command.option("--csv", options.csv, "The same as CSV, a line per region").type_name("FILE|-");
 }
 
 EvaluationRules parse_rules(const EvalOptions& options) {

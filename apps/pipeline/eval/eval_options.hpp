@@ -29,7 +29,7 @@ struct EvalOptions {
   std::string csv;
 };
 
-void add_eval_options(CLI::App& command, EvalOptions& options);
+void add_eval_options(Command command, EvalOptions& options);
 
 /// Rules without clip. Throws UsageError.
 EvaluationRules parse_rules(const EvalOptions& options);

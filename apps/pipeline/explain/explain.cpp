@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // pipeline explain: why does this pixel have the disparity it has, or none?
-#include <CLI/CLI.hpp>
 
 #include <iostream>
 #include <memory>
@@ -76,17 +75,17 @@ int explain(Options options) {
   return explain_checked(options, *pipeline, registry, pixels);
 }
 
-void add_explain_options(CLI::App& command, Options& options) {
+void add_explain_options(Command command, Options& options) {
   add_pipeline(command, options);
-  auto* pixel =
+  auto pixel =
       command
-          .add_option(
+          .option(
               "pixel", options.place,
               "Column and row of the pixel in the left image, from 0 on; before them the scene's "
               "folder, unless images are given or the built-in sample pair is meant")
-          ->type_name("[SCENE_DIR] X Y")
-          ->expected(2, 3)
-          ->required();
+          .type_name("[SCENE_DIR] X Y")
+          .count(2, 3)
+          .required();
   add_scene_choice(command, options, pixel);
   add_images(command, options);
   add_search(command, options);
@@ -98,17 +97,17 @@ void add_explain_options(CLI::App& command, Options& options) {
 
 }  // namespace
 
-void add_explain(CLI::App& app, Invocation& call) {
+void add_explain(CommandLine& line) {
   auto options = std::make_shared<Options>();
-  CLI::App& command = add_command(app, call, "explain",
-                                  "Say why one pixel has its disparity, or none, stage by stage",
-                                  [options] { return explain(*options); });
+  Command command =
+      line.add("explain", "Say why one pixel has its disparity, or none, stage by stage",
+               [options] { return explain(*options); });
   add_explain_options(command, *options);
   command
-      .add_option("--json", options->json,
-                  "Also write all of it, complete curves included, for programs; '-' for stdout, "
-                  "in place of the text")
-      ->type_name("FILE|-");
+      .option("--json", options->json,
+              "Also write all of it, complete curves included, for programs; '-' for stdout, "
+              "in place of the text")
+      .type_name("FILE|-");
 }
 
 }  // namespace xgm::cli

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // pipeline graph: the stages of a pipeline with all their parameters, defaults included.
-#include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
 
@@ -28,13 +27,13 @@ int graph(const Options& options) {
 
 }  // namespace
 
-void add_graph(CLI::App& app, Invocation& call) {
+void add_graph(CommandLine& line) {
   auto options = std::make_shared<Options>();
-  CLI::App& command = add_command(app, call, "graph", "Show a pipeline as a tree of stages",
-                                  [options] { return graph(*options); });
-  command.add_option("pipeline", options->pipeline, "Pipeline file or name of a shipped one")
-      ->type_name("PIPELINE")
-      ->required();
+  Command command = line.add("graph", "Show a pipeline as a tree of stages",
+                             [options] { return graph(*options); });
+  command.option("pipeline", options->pipeline, "Pipeline file or name of a shipped one")
+      .type_name("PIPELINE")
+      .required();
   add_set_option(command, options->assignments);
   add_plugin_options(command, options->plugins);
 }

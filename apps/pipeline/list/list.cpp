@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // pipeline list: which plugins are there?
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
@@ -40,13 +39,12 @@ int list(const Options& options) {
 
 }  // namespace
 
-void add_list(CLI::App& app, Invocation& call) {
+void add_list(CommandLine& line) {
   auto options = std::make_shared<Options>();
-  CLI::App& command =
-      add_command(app, call, "list", "List plugins: kind, name, what it does, where it comes from",
-                  [options] { return list(*options); });
-  command.add_option("kind", options->kind, "Only this kind (cost, filter, matcher, ...)")
-      ->type_name("KIND");
+  Command command = line.add("list", "List plugins: kind, name, what it does, where it comes from",
+                             [options] { return list(*options); });
+  command.option("kind", options->kind, "Only this kind (cost, filter, matcher, ...)")
+      .type_name("KIND");
   add_plugin_options(command, options->plugins);
 }
 

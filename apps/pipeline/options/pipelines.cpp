@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "options/pipelines.hpp"
 
-#include <spdlog/spdlog.h>
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <cstdlib>
 
@@ -13,13 +10,13 @@
 
 namespace xgm::cli {
 
-void add_plugin_options(CLI::App& command, PluginOptions& options) {
+void add_plugin_options(Command command, PluginOptions& options) {
   command
-      .add_option("--plugin", options.files,
-                  "Load a plugin file; may be given again. XGM_PLUGIN_PATH holds further files and "
-                  "folders, separated by colons")
-      ->type_name("FILE")
-      ->allow_extra_args(false);
+      .option("--plugin", options.files,
+              "Load a plugin file; may be given again. XGM_PLUGIN_PATH holds further files and "
+              "folders, separated by colons")
+      .type_name("FILE")
+      .one_value_each();
 }
 
 Registry make_registry(const PluginOptions& options) {
@@ -28,18 +25,18 @@ Registry make_registry(const PluginOptions& options) {
   if (const char* paths = std::getenv("XGM_PLUGIN_PATH")) registry.load_path(paths);
   registry.load_path(plugins_folder());
   for (const LoadFailure& failure : registry.failures()) {
-    spdlog::warn("plugin {} could not be loaded: {}", failure.file, failure.reason);
+    log_warning("plugin " + failure.file + " could not be loaded: " + failure.reason);
   }
   return registry;
 }
 
-void add_set_option(CLI::App& command, std::vector<std::string>& assignments) {
+void add_set_option(Command command, std::vector<std::string>& assignments) {
   command
-      .add_option("--set", assignments,
-                  "Replace or add a parameter, for example matcher.search_range.window=31; the "
-                  "value is YAML; may be given again")
-      ->type_name("PATH=VALUE")
-      ->allow_extra_args(false);
+      .option("--set", assignments,
+              "Replace or add a parameter, for example matcher.search_range.window=31; the "
+              "value is YAML; may be given again")
+      .type_name("PATH=VALUE")
+      .one_value_each();
 }
 
 std::vector<Override> parse_overrides(const std::vector<std::string>& assignments) {
@@ -60,7 +57,7 @@ std::optional<Pipeline> load_named(const std::string& name, const Registry& regi
   try {
     file = find_pipeline(name);
   } catch (const UsageError& error) {
-    spdlog::error(error.what());
+    log_error(error.what());
     return std::nullopt;
   }
   LoadedPipeline loaded = load_pipeline(file, registry, overrides);

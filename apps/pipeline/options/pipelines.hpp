@@ -6,25 +6,22 @@
 #include <string>
 #include <vector>
 
+#include "command_line/command.hpp"
 #include "xgm/pipeline/pipeline.hpp"
-
-namespace CLI {
-class App;
-}
 
 namespace xgm::cli {
 
 struct PluginOptions {
   std::vector<std::string> files;  ///< --plugin
 };
-void add_plugin_options(CLI::App& command, PluginOptions& options);
+void add_plugin_options(Command command, PluginOptions& options);
 
 /// The built-in plugins, those of --plugin, of XGM_PLUGIN_PATH and of the installation's folder of
 /// plugins. Files that cannot be loaded are warned of, and do not stop anything that does not need
 /// them.
 Registry make_registry(const PluginOptions& options);
 
-void add_set_option(CLI::App& command, std::vector<std::string>& assignments);
+void add_set_option(Command command, std::vector<std::string>& assignments);
 /// "path=value" as overrides. Throws UsageError.
 std::vector<Override> parse_overrides(const std::vector<std::string>& assignments);
 

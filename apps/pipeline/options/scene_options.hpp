@@ -9,10 +9,6 @@
 #include "options/pipelines.hpp"
 #include "xgm/data/scene_files.hpp"
 
-namespace CLI {
-class Option;
-}
-
 namespace xgm::cli {
 
 struct SceneOptions {
@@ -33,29 +29,29 @@ struct SceneOptions {
   PluginOptions plugins;
 };
 
-void add_pipeline(CLI::App& command, SceneOptions& options);
+void add_pipeline(Command command, SceneOptions& options);
 /// The scene's folder, or the images in its place.
-void add_scene_or_images(CLI::App& command, SceneOptions& options);
+void add_scene_or_images(Command command, SceneOptions& options);
 /// In place of the scene's folder; returns --left.
-CLI::Option* add_images(CLI::App& command, SceneOptions& options);
+Option add_images(Command command, SceneOptions& options);
 /// Which of the scenes in the folder that `scene` takes, and how it is laid out.
-void add_scene_choice(CLI::App& command, SceneOptions& options, CLI::Option* scene);
+void add_scene_choice(Command command, SceneOptions& options, Option scene);
 /// --disparities.
-CLI::Option* add_interval(CLI::App& command, SceneOptions& options);
+Option add_interval(Command command, SceneOptions& options);
 /// --disparities and --range-maps, which is returned.
-CLI::Option* add_search(CLI::App& command, SceneOptions& options);
+Option add_search(Command command, SceneOptions& options);
 /// Parameters and threads.
-void add_matching(CLI::App& command, SceneOptions& options);
-void add_truth(CLI::App& command, SceneOptions& options);
+void add_matching(Command command, SceneOptions& options);
+void add_truth(Command command, SceneOptions& options);
 /// Plugins and messages.
-void add_surroundings(CLI::App& command, SceneOptions& options);
+void add_surroundings(Command command, SceneOptions& options);
 
 /// --dataset, for commands that take folders of scenes.
-CLI::Option* add_dataset_option(CLI::App& command, std::string& dataset);
+Option add_dataset_option(Command command, std::string& dataset);
 /// --memory-limit, for commands that match.
-void add_memory_limit_option(CLI::App& command, std::string& limit);
+void add_memory_limit_option(Command command, std::string& limit);
 /// --threads.
-void add_threads_option(CLI::App& command, int& threads,
+void add_threads_option(Command command, int& threads,
                         const std::string& text = "Threads to use; without it all processors");
 
 /// Those asked for, else all processors. What OpenCV does for stages is done by as many from now

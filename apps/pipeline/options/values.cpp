@@ -2,12 +2,12 @@
 #include "options/values.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <map>
 
 #include "xgm/base/error.hpp"
-#include "xgm/evaluation/metrics.hpp"
 
 namespace xgm::cli {
 namespace {
@@ -30,6 +30,19 @@ std::optional<int> parse_disparity(std::string_view text) {
 }
 
 }  // namespace
+
+std::vector<std::string> split_at_commas(const std::string& text) {
+  std::vector<std::string> items;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    std::string item = text.substr(begin, end - begin);
+    item.erase(item.find_last_not_of(" \t") + 1);
+    item.erase(0, std::min(item.find_first_not_of(" \t"), item.size()));
+    items.push_back(std::move(item));
+    begin = end + 1;
+  }
+  return items;
+}
 
 std::optional<double> parse_number(std::string_view text) {
   const auto number = parse<double>(text);
@@ -55,41 +68,20 @@ Interval parse_disparities(const std::string& text, const std::string& option) {
 }
 
 double parse_bytes(const std::string& text, const std::string& option) {
-  static const std::map<std::string, double> units{{"B", 1},
-                                                   {"kB", 1e3},
-                                                   {"KB", 1e3},
-                                                   {"MB", 1e6},
-                                                   {"GB", 1e9},
-                                                   {"TB", 1e12},
-                                                   {"KiB", 1024.0},
-                                                   {"MiB", 1024.0 * 1024},
-                                                   {"GiB", 1024.0 * 1024 * 1024},
-                                                   {"TiB", 1024.0 * 1024 * 1024 * 1024}};
+  static const std::map<std::string, double> units{{"b", 1},       {"k", 1e3},     {"m", 1e6},
+                                                   {"g", 1e9},     {"t", 1e12},    {"ki", 0x1p10},
+                                                   {"mi", 0x1p20}, {"gi", 0x1p30}, {"ti", 0x1p40}};
   const std::size_t end = text.find_last_of("0123456789.") + 1;  // npos + 1 is 0
-  const std::size_t unit = std::min(text.find_first_not_of(' ', end), text.size());
+  std::string unit = text.substr(std::min(text.find_first_not_of(' ', end), text.size()));
+  std::ranges::transform(unit, unit.begin(), [](unsigned char c) { return std::tolower(c); });
+  if (unit.size() > 1 && unit.back() == 'b') unit.pop_back();  // "2G" is 2GB
   const auto number = parse_number(std::string_view(text).substr(0, end));
-  const auto factor = units.find(text.substr(unit));
+  const auto factor = units.find(unit);
   if (!number || *number <= 0 || factor == units.end()) {
     throw UsageError(option + " " + text +
                      ": write a number with a unit, for example 800MB, 2.5GB");
   }
   return *number * factor->second;
-}
-
-std::vector<double> parse_thresholds(const std::string& text) {
-  if (text.empty()) return usual_thresholds();
-  std::vector<double> deltas;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const auto delta = parse_number(std::string_view(text).substr(begin, end - begin));
-    if (!delta || *delta < 0 || (!deltas.empty() && *delta <= deltas.back())) {
-      throw UsageError("--thresholds " + text +
-                       ": write rising numbers of px, 0 or more, for example 0.5,1,2,4");
-    }
-    deltas.push_back(*delta);
-    begin = end + 1;
-  }
-  return deltas;
 }
 
 }  // namespace xgm::cli

@@ -11,6 +11,9 @@
 
 namespace xgm::cli {
 
+/// The items of a list, without blanks around them.
+std::vector<std::string> split_at_commas(const std::string& text);
+
 /// A finite number and nothing else.
 std::optional<double> parse_number(std::string_view text);
 /// A whole number and nothing else; it may have a sign.
@@ -19,10 +22,7 @@ std::optional<int> parse_whole(std::string_view text);
 /// "MIN:MAX", both included. Throws UsageError, which names the option.
 Interval parse_disparities(const std::string& text, const std::string& option = "--disparities");
 
-/// "2.5GB", "800 MB", "1GiB" as bytes. Throws UsageError, which names the option.
+/// "2.5GB", "800 MB", "1GiB", "2g" as bytes. Throws UsageError, which names the option.
 double parse_bytes(const std::string& text, const std::string& option);
-
-/// "0.5,1,2" of --thresholds: rising, 0 or more; the usual ones if it is empty. Throws UsageError.
-std::vector<double> parse_thresholds(const std::string& text);
 
 }  // namespace xgm::cli

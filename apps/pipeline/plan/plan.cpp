@@ -3,7 +3,6 @@
 #include "xgm/pipeline/plan.hpp"
 
 #include <spdlog/fmt/fmt.h>
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <iostream>
@@ -181,28 +180,28 @@ int plan(const Options& options) {
   return kOk;
 }
 
-void add_plan_options(CLI::App& command, Options& options) {
+void add_plan_options(Command command, Options& options) {
   add_pipeline(command, options);
   add_scene_or_images(command, options);
-  auto* range_maps = add_search(command, options);
-  command.add_option("--size", options.size, "In place of a scene: the size of colour images, px")
-      ->type_name("WxH")
-      ->excludes(command.get_option("scene"))
-      ->excludes(command.get_option("--left"))
-      ->excludes(range_maps);
+  auto range_maps = add_search(command, options);
+  command.option("--size", options.size, "In place of a scene: the size of colour images, px")
+      .type_name("WxH")
+      .excludes(command.find("scene"))
+      .excludes(command.find("--left"))
+      .excludes(range_maps);
   add_matching(command, options);
   add_surroundings(command, options);
 }
 
 }  // namespace
 
-void add_plan(CLI::App& app, Invocation& call) {
+void add_plan(CommandLine& line) {
   auto options = std::make_shared<Options>();
-  CLI::App& command = add_command(app, call, "plan", "Predict the memory and the time of a run",
-                                  [options] { return plan(*options); });
+  Command command = line.add("plan", "Predict the memory and the time of a run",
+                             [options] { return plan(*options); });
   add_plan_options(command, *options);
-  command.add_flag("--stages", options->all_stages, "Show every stage of every level and view");
-  command.add_flag("--json", options->json, "For programs: all stages, as an object");
+  command.flag("--stages", options->all_stages, "Show every stage of every level and view");
+  command.flag("--json", options->json, "For programs: all stages, as an object");
 }
 
 }  // namespace xgm::cli

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // pipeline run: match a pair of images.
-#include <spdlog/spdlog.h>
-
 #include <memory>
 
 #include "commands.hpp"
@@ -44,16 +42,16 @@ int run(const RunCommandOptions& options, const std::vector<std::string>& comman
   progress.end();
   print_summary(result, request);
   if (result.failure.empty()) return kOk;
-  spdlog::error(result.failure);
+  log_error(result.failure);
   return kFailed;
 }
 
 }  // namespace
 
-void add_run(CLI::App& app, Invocation& call) {
+void add_run(CommandLine& line) {
   auto options = std::make_shared<RunCommandOptions>();
-  add_run_options(add_command(app, call, "run", "Match a pair of images",
-                              [options, &call] { return run(*options, call.arguments); }),
+  add_run_options(line.add("run", "Match a pair of images",
+                           [options, &line] { return run(*options, line.arguments()); }),
                   *options);
 }
 

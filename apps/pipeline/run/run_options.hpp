@@ -18,6 +18,6 @@ struct RunCommandOptions : SceneOptions {
   std::vector<std::string> explain;  ///< "X,Y" or "every=N"
 };
 
-void add_run_options(CLI::App& command, RunCommandOptions& options);
+void add_run_options(Command command, RunCommandOptions& options);
 
 }  // namespace xgm::cli

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // pipeline scenes: what is there to match in a folder, and what is known of it?
 #include <spdlog/fmt/fmt.h>
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <iostream>
@@ -91,16 +90,16 @@ int list_scenes(const Options& options) {
 
 }  // namespace
 
-void add_scenes(CLI::App& app, Invocation& call) {
+void add_scenes(CommandLine& line) {
   auto options = std::make_shared<Options>();
-  CLI::App& command = add_command(
-      app, call, "scenes", "List the scenes in a folder, what is known of them and what is missing",
-      [options] { return list_scenes(*options); });
-  command.add_option("folder", options->folder, "A scene, or a folder of scenes")
-      ->type_name("FOLDER")
-      ->required();
+  Command command =
+      line.add("scenes", "List the scenes in a folder, what is known of them and what is missing",
+               [options] { return list_scenes(*options); });
+  command.option("folder", options->folder, "A scene, or a folder of scenes")
+      .type_name("FOLDER")
+      .required();
   add_dataset_option(command, options->dataset);
-  command.add_flag("--json", options->json, "For programs: a list of objects");
+  command.flag("--json", options->json, "For programs: a list of objects");
   add_plugin_options(command, options->plugins);
 }
 

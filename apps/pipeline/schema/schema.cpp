@@ -9,11 +9,11 @@
 
 namespace xgm::cli {
 
-void add_schema(CLI::App& app, Invocation& call) {
+void add_schema(CommandLine& line) {
   auto plugins = std::make_shared<PluginOptions>();
-  CLI::App& command = add_command(
-      app, call, "schema",
-      "Print the JSON Schema of pipeline files, by which editors complete and check", [plugins] {
+  Command command = line.add(
+      "schema", "Print the JSON Schema of pipeline files, by which editors complete and check",
+      [plugins] {
         std::string text = pipeline_schema(make_registry(*plugins));
         while (text.ends_with('\n')) text.pop_back();
         std::cout << text << '\n';

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // pipeline speed: how fast are pipelines, beside each other and OpenCV?
-#include <spdlog/spdlog.h>
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -10,6 +7,7 @@
 
 #include "commands.hpp"
 #include "options/scene_request.hpp"
+#include "options/values.hpp"
 #include "terminal/observer.hpp"
 #include "xgm/base/simd.hpp"
 #include "xgm/evaluation/speed.hpp"
@@ -54,8 +52,7 @@ SpeedRace make_speed_plan(const Options& options) {
 std::vector<SpeedPipeline> load_pipelines(const Options& options, const Registry& registry) {
   std::vector<SpeedPipeline> pipelines;
   bool sound = true;
-  for (std::string name : CLI::detail::split(options.pipeline, ',')) {
-    CLI::detail::trim(name);
+  for (const std::string& name : split_at_commas(options.pipeline)) {
     const auto pipeline = load_named(name, registry, parse_overrides(options.assignments));
     sound = sound && pipeline;
     if (pipeline) {
@@ -95,52 +92,51 @@ int speed(const Options& options) {
   return kOk;
 }
 
-void add_speed_options(CLI::App& command, Options& options) {
+void add_speed_options(Command command, Options& options) {
   command
-      .add_option("pipelines", options.pipeline,
-                  "Pipeline files or names of shipped ones, separated by commas")
-      ->type_name("PIPELINE,...")
-      ->required();
+      .option("pipelines", options.pipeline,
+              "Pipeline files or names of shipped ones, separated by commas")
+      .type_name("PIPELINE,...")
+      .required();
   add_scene_or_images(command, options);
   add_interval(command, options);
   add_matching(command, options);
   add_surroundings(command, options);
 }
 
-void add_race_options(CLI::App& command, Options& options) {
+void add_race_options(Command command, Options& options) {
   command
-      .add_option("--repeat", options.repeat,
-                  "Rounds; in each everything runs once, and medians are told")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
+      .option("--repeat", options.repeat,
+              "Rounds; in each everything runs once, and medians are told")
+      .type_name("N")
+      .range(1, 1000)
+      .show_default();
   command
-      .add_option("--simd", options.simd,
-                  "Run the pipelines with each of these SIMD targets; all: those of this "
-                  "processor. Without it the best one, or that of XGM_SIMD")
-      ->type_name("TARGET,...")
-      ->delimiter(',');
+      .option("--simd", options.simd,
+              "Run the pipelines with each of these SIMD targets; all: those of this "
+              "processor. Without it the best one, or that of XGM_SIMD")
+      .type_name("TARGET,...")
+      .comma_separated();
   command
-      .add_option("--opencv", options.opencv,
-                  "Modes of cv::StereoSGBM to compare with: hh, hh4, sgbm, sgbm_3way, all, none")
-      ->type_name("MODE,...")
-      ->delimiter(',')
-      ->default_str("all");
+      .option("--opencv", options.opencv,
+              "Modes of cv::StereoSGBM to compare with: hh, hh4, sgbm, sgbm_3way, all, none")
+      .type_name("MODE,...")
+      .comma_separated()
+      .show_default("all");
   command
-      .add_option("--json", options.json,
-                  "Also write every round, for programs; '-' for stdout, in place of the tables")
-      ->type_name("FILE|-");
+      .option("--json", options.json,
+              "Also write every round, for programs; '-' for stdout, in place of the tables")
+      .type_name("FILE|-");
 }
 
 }  // namespace
 
-void add_speed(CLI::App& app, Invocation& call) {
+void add_speed(CommandLine& line) {
   auto options = std::make_shared<Options>();
   options->opencv = {"all"};
-  CLI::App& command =
-      add_command(app, call, "speed",
-                  "Time pipelines, stage by stage, and OpenCV's StereoSGBM on the same pair",
-                  [options] { return speed(*options); });
+  Command command =
+      line.add("speed", "Time pipelines, stage by stage, and OpenCV's StereoSGBM on the same pair",
+               [options] { return speed(*options); });
   add_speed_options(command, *options);
   add_race_options(command, *options);
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // pipeline synth: make scenes whose truth is known.
-#include <spdlog/spdlog.h>
-#include <CLI/CLI.hpp>
+#include <spdlog/fmt/fmt.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -120,50 +119,46 @@ std::string fault_help() {
   return text;
 }
 
-void add_scene_options(CLI::App& command, SynthOptions& options) {
+void add_scene_options(Command command, SynthOptions& options) {
   constexpr int kMaxScenes = 1'000'000;
-  command.add_option("--count", options.count, "Number of scenes; each has the next seed")
-      ->type_name("N")
-      ->check(CLI::Range(1, kMaxScenes))
-      ->capture_default_str();
-  command.add_option("--size", options.size, "Size of the images, px")
-      ->type_name("WxH")
-      ->capture_default_str();
+  command.option("--count", options.count, "Number of scenes; each has the next seed")
+      .type_name("N")
+      .range(1, kMaxScenes)
+      .show_default();
+  command.option("--size", options.size, "Size of the images, px").type_name("WxH").show_default();
   command
-      .add_option("--disparities", options.disparities,
-                  "Smallest and largest disparity there may be, px; may be negative")
-      ->type_name("MIN:MAX")
-      ->capture_default_str();
-  command
-      .add_option("--seed", options.seed, "Seed of the first scene; the same seed, the same scene")
-      ->type_name("S")
-      ->capture_default_str();
-  command.add_option("--objects", options.objects, "Things that stand in each scene")
-      ->type_name("N")
-      ->check(CLI::Range(0, 1000))
-      ->capture_default_str();
+      .option("--disparities", options.disparities,
+              "Smallest and largest disparity there may be, px; may be negative")
+      .type_name("MIN:MAX")
+      .show_default();
+  command.option("--seed", options.seed, "Seed of the first scene; the same seed, the same scene")
+      .type_name("S")
+      .show_default();
+  command.option("--objects", options.objects, "Things that stand in each scene")
+      .type_name("N")
+      .range(0, 1000)
+      .show_default();
 }
 
 }  // namespace
 
-void add_synth(CLI::App& app, Invocation& call) {
+void add_synth(CommandLine& line) {
   auto options = std::make_shared<SynthOptions>();
-  CLI::App& command =
-      add_command(app, call, "synth", "Generate scenes with exact truth, and with faults if wanted",
-                  [options] { return synth(*options); });
-  command.add_option("output", options->folder, "Folder for scene_0001, scene_0002, ...")
-      ->type_name("OUTPUT_DIR")
-      ->required();
+  Command command = line.add("synth", "Generate scenes with exact truth, and with faults if wanted",
+                             [options] { return synth(*options); });
+  command.option("output", options->folder, "Folder for scene_0001, scene_0002, ...")
+      .type_name("OUTPUT_DIR")
+      .required();
   add_scene_options(command, *options);
-  command.add_option("--fault", options->faults, "What shall be wrong with the images; see below")
-      ->type_name("NAME[=VALUE] ...");
-  command.add_option("--bits", options->bits, "Of the images, 8 or 16")
-      ->type_name("N")
-      ->check(CLI::IsMember({8, 16}))
-      ->capture_default_str();
-  command.add_flag("--grey", options->grey, "Images of one channel");
-  command.add_flag("--force", options->force,
-                   "Write into a folder that is not empty, and replace scenes of the same names");
+  command.option("--fault", options->faults, "What shall be wrong with the images; see below")
+      .type_name("NAME[=VALUE] ...");
+  command.option("--bits", options->bits, "Of the images, 8 or 16")
+      .type_name("N")
+      .one_of({8, 16})
+      .show_default();
+  command.flag("--grey", options->grey, "Images of one channel");
+  command.flag("--force", options->force,
+               "Write into a folder that is not empty, and replace scenes of the same names");
   add_threads_option(command, options->threads);
   command.footer(fault_help());
 }

@@ -67,4 +67,11 @@ void set_up_logging(const std::string& level) {
   spdlog::set_default_logger(logger);
 }
 
+bool shows_info() { return spdlog::should_log(spdlog::level::info); }
+
+void log_debug(const std::string& text) { spdlog::debug(text); }
+void log_info(const std::string& text) { spdlog::info(text); }
+void log_warning(const std::string& text) { spdlog::warn(text); }
+void log_error(const std::string& text) { spdlog::error(text); }
+
 }  // namespace xgm::cli

@@ -29,7 +29,14 @@ class Console {
   bool rewrites_;
 };
 
-/// Sends spdlog's messages through the console. `level`: debug, info, warning or error.
+/// Which messages are shown: debug, info, warning or error.
 void set_up_logging(const std::string& level);
+bool shows_info();
+
+/// A message of that level, through the console.
+void log_debug(const std::string& text);
+void log_info(const std::string& text);
+void log_warning(const std::string& text);
+void log_error(const std::string& text);
 
 }  // namespace xgm::cli

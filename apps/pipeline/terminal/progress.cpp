@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "terminal/progress.hpp"
 
-#include <spdlog/spdlog.h>
+#include <spdlog/fmt/fmt.h>
 
 #include <cmath>
 
@@ -82,9 +82,9 @@ void Progress::work() {
                                 [this] { return stop_; })) {
     if (what_.empty()) continue;
     if (rewrites) {
-      if (spdlog::should_log(spdlog::level::info)) Console::instance().status(line());
+      if (shows_info()) Console::instance().status(line());
     } else {
-      spdlog::info(line());
+      log_info(line());
     }
   }
 }

@@ -49,7 +49,8 @@ std::int64_t from_here_down(std::string_view name) {
     if (name == target.name) return usable() & ~(target.bit - 1);
     known += (known.empty() ? "" : ", ") + std::string(target.name);
   }
-  throw Error("this processor has no SIMD target '" + std::string(name) + "'; it has " + known);
+  throw UsageError("this processor has no SIMD target '" + std::string(name) + "'; it has " +
+                   known);
 }
 
 }  // namespace

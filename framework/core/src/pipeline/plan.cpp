@@ -145,7 +145,7 @@ Workload workload_of(const MatchRequest& request, int threads) {
   load.masked = !base.valid.empty();
   if (load.masked) load.used = cv::countNonZero(base.valid) / load.pixels();
   load.ragged = !request.range.is_uniform();
-  if (load.ragged) load.cells_per_pixel = trace::mean_cells(request.range, base.valid);
+  if (load.ragged) load.cells_per_pixel = trace::mean_searched(request.range, base.valid).cells;
   return load;
 }
 

@@ -24,18 +24,6 @@ double ratio(double a, double b) { return b > 0 ? a / b : 0; }
 
 }  // namespace
 
-double mean_cells(const DisparityRange& range, const cv::Mat1b& valid) {
-  double cells = 0, pixels = 0;
-  for (int y = 0; y < range.size().height; ++y) {
-    for (int x = 0; x < range.size().width; ++x) {
-      if (!valid.empty() && valid(y, x) == 0) continue;
-      cells += Workload::room(range.at(y, x).size());
-      ++pixels;
-    }
-  }
-  return ratio(cells, pixels);
-}
-
 Scale::Scale(const RunTrace& trace, const Workload& to)
     : trace_(trace), from_(trace.calls().load), to_(to) {
   for (const Call& call : trace.calls().calls) {

@@ -6,9 +6,6 @@
 
 namespace xgm::trace {
 
-/// Mean cells of the pixels that have data.
-double mean_cells(const DisparityRange& range, const cv::Mat1b& valid);
-
 class Scale {
  public:
   /// `to`: the workload of the whole pair in the other run.

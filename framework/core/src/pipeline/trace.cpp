@@ -4,22 +4,6 @@
 namespace xgm::trace {
 namespace {
 
-/// What the pixels of a range search: cells, rounded up as volumes are, and disparities.
-void count_searched(const DisparityRange& range, const cv::Mat1b& valid, Call& call) {
-  double cells = 0, searched = 0, pixels = 0;
-  for (int y = 0; y < range.size().height; ++y) {
-    for (int x = 0; x < range.size().width; ++x) {
-      if (!valid.empty() && valid(y, x) == 0) continue;
-      const int count = range.at(y, x).size();
-      cells += Workload::room(count);
-      searched += count;
-      ++pixels;
-    }
-  }
-  call.cells_per_pixel = pixels > 0 ? cells / pixels : 0;
-  call.searched = pixels > 0 ? searched / pixels : 0;
-}
-
 double count_searched(const VolumeShape& shape) {
   double searched = 0;
   for (int y = 0; y < shape.height(); ++y) {
@@ -29,6 +13,22 @@ double count_searched(const VolumeShape& shape) {
 }
 
 }  // namespace
+
+Searched mean_searched(const DisparityRange& range, const cv::Mat1b& valid) {
+  Searched sum;
+  double pixels = 0;
+  for (int y = 0; y < range.size().height; ++y) {
+    for (int x = 0; x < range.size().width; ++x) {
+      if (!valid.empty() && valid(y, x) == 0) continue;
+      const int count = range.at(y, x).size();
+      sum.cells += Workload::room(count);
+      sum.disparities += count;
+      ++pixels;
+    }
+  }
+  if (pixels == 0) return {};
+  return {sum.cells / pixels, sum.disparities / pixels};
+}
 
 void Tracer::stage_begin(const StagePlace& place) {
   Call fresh;
@@ -100,7 +100,9 @@ void Tracer::take_request(const MatchRequest& request) {
   here.planes = static_cast<int>(request.pair.base.planes.size());
   here.range = request.range.hull();
   here.ragged = !request.range.is_uniform();
-  count_searched(request.range, request.pair.base.valid, here);
+  const Searched searched = mean_searched(request.range, request.pair.base.valid);
+  here.cells_per_pixel = searched.cells;
+  here.searched = searched.disparities;
   see(Event::What::take, request.pair);
   see(Event::What::take, request.range);
   if (request.reverse_range) see(Event::What::take, *request.reverse_range);

@@ -45,6 +45,13 @@ struct Call {
   double given_bytes = 0, returned_bytes = 0;  ///< of images, maps and ranges
 };
 
+/// Means over the pixels that have data.
+struct Searched {
+  double cells = 0;  ///< disparities, rounded up as volumes are
+  double disparities = 0;
+};
+Searched mean_searched(const DisparityRange& range, const cv::Mat1b& valid);
+
 /// Watches one run.
 class Tracer final : public Observer {
  public:

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command_line/command_line.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+
+#include "terminal/console.hpp"
+#include "xgm/base/error.hpp"
+#include "xgm/pipeline/lookup.hpp"
+#include "xgm/plugin/version.hpp"
+
+namespace xgm::cli {
+namespace {
+
+/// Names with their dashes.
+std::vector<std::string> option_names(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+  }
+  return names;
+}
+
+/// "-o" of "-oDIR", "--set" of "--set=a=1"; empty if this is a value, such as -64:64.
+std::string option_name(const std::string& argument) {
+  if (argument.starts_with("--")) return argument.substr(0, argument.find('='));
+  const bool is_short = argument.size() > 1 && argument[0] == '-' &&
+                        std::isalpha(static_cast<unsigned char>(argument[1])) != 0;
+  return is_short ? argument.substr(0, 2) : "";
+}
+
+void require_option(const std::string& argument, const std::vector<std::string>& known) {
+  const std::string name = option_name(argument);
+  if (name.empty() || std::ranges::find(known, name) != known.end()) return;
+  const std::string with_two_dashes = "-" + argument.substr(0, argument.find('='));
+  if (std::ranges::find(known, with_two_dashes) != known.end()) {
+    throw UsageError("there is no option '" + argument + "'; did you mean '" + with_two_dashes +
+                     "'?");
+  }
+  require_name("option", name, known);
+}
+
+bool looks_like_image(const std::string& argument) {
+  static constexpr std::array kEndings{".png", ".jpg", ".jpeg", ".tif", ".tiff",
+                                       ".pgm", ".ppm", ".bmp",  ".webp"};
+  std::string ending = std::filesystem::path(argument).extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  return std::ranges::find(kEndings, ending) != kEndings.end();
+}
+
+/// Many call a matcher with two images, without the names of options.
+void require_named_images(const std::vector<std::string>& arguments,
+                          const std::vector<std::string>& options) {
+  if (std::ranges::find(options, "--left") == options.end()) return;
+  for (std::size_t i = 1; i < arguments.size(); ++i) {
+    const bool has_place =
+        option_name(arguments[i - 1]).empty() && option_name(arguments[i]).empty();
+    if (has_place && looks_like_image(arguments[i]) &&
+        !std::filesystem::is_directory(arguments[i])) {
+      throw UsageError("'" + arguments[i] +
+                       "' is an image: give images as --left FILE --right FILE");
+    }
+  }
+}
+
+}  // namespace
+
+CommandLine::CommandLine(int argc, char** argv)
+    : arguments_(argv + 1, argv + argc),
+      app_(std::make_unique<CLI::App>("Dense stereo matching by pipelines of plugins.",
+                                      "pipeline")) {
+  app_->set_version_flag("--version", "xgm " XGM_VERSION);
+  app_->require_subcommand(1);
+  app_->footer(
+      "Exit codes: 0 done; 1 the run failed or its map is empty; 2 usage or configuration.");
+}
+
+CommandLine::~CommandLine() = default;
+
+Command CommandLine::add(const std::string& name, const std::string& help,
+                         std::function<int()> body) {
+  CLI::App* command = app_->add_subcommand(name, help);
+  command->callback([this, body = std::move(body)] { exit_code_ = body(); });
+  return Command(command);
+}
+
+/// A misspelt name is told before the parser complains of what follows from it.
+void CommandLine::require_known_names() const {
+  if (arguments_.empty()) return;
+  const std::string& first = arguments_.front();
+  if (first.starts_with('-')) {
+    const std::vector<std::string> known = option_names(*app_);
+    if (std::ranges::find(known, first) != known.end()) return;
+    throw UsageError("the subcommand comes first, its options behind it: pipeline run " + first +
+                     " ...; see pipeline --help");
+  }
+  std::vector<std::string> subcommands;
+  for (const CLI::App* known : app_->get_subcommands({})) subcommands.push_back(known->get_name());
+  require_name("subcommand", first, subcommands);
+  const std::vector<std::string> options = option_names(*app_->get_subcommand(first));
+  for (const std::string& argument : arguments_) {
+    if (argument == "--") return;
+    require_option(argument, options);
+  }
+  require_named_images(arguments_, options);
+}
+
+int CommandLine::run() {
+  require_known_names();
+  try {
+    app_->parse(std::vector<std::string>(arguments_.rbegin(), arguments_.rend()));
+  } catch (const CLI::ParseError& error) {
+    return app_->exit(error) == 0 ? kOk : kUsage;  // 0: help and version
+  }
+  return exit_code_;
+}
+
+}  // namespace xgm::cli
