@@ -4,6 +4,7 @@
 #include <cmath>
 #include <opencv2/imgcodecs.hpp>
 
+#include "io/tiff.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/io/file.hpp"
 #include "xgm/io/pfm.hpp"
@@ -11,14 +12,43 @@
 namespace xgm {
 namespace {
 
-cv::Mat decode(const std::string& file) {
+StoredImage decode(const std::string& file) {
+  cv::Mat image;
   try {
-    const cv::Mat image = cv::imread(file, cv::IMREAD_UNCHANGED);
-    if (!image.empty()) return image;
+    image = cv::imread(file, cv::IMREAD_UNCHANGED);
   } catch (const cv::Exception&) {
     // Says only which check of OpenCV failed; the message below serves for that too.
   }
-  throw Error(file + ": is no image that can be read; give a complete PNG, TIFF, JPEG, PNM or PFM");
+  if (image.empty()) {
+    throw Error(file +
+                ": is no image that can be read; give a complete PNG, TIFF, JPEG, PNM or PFM");
+  }
+  if (image.channels() > 4) {
+    throw Error(file + ": has " + std::to_string(image.channels()) +
+                " channels; give a grey (1) or colour (3) image, with or without alpha");
+  }
+  StoredImage stored;
+  cv::split(image, stored.channels);
+  if (stored.channels.size() % 2 == 0) {
+    stored.alpha = stored.channels.back();
+    stored.channels.pop_back();
+  }
+  return stored;
+}
+
+StoredImage read_stored(const std::string& file) {
+  constexpr std::size_t kLongestMagic = 4;
+  const std::string head = read_head(file, kLongestMagic);
+  if (head.starts_with("Pf") || head.starts_with("PF")) {
+    const std::vector<cv::Mat1f> planes = read_pfm_planes(file);
+    return {.channels = {planes.begin(), planes.end()}};
+  }
+  if (!is_tiff(head)) return decode(file);
+  StoredImage image = read_tiff(file);
+  if (!image.channels.empty()) return image;
+  StoredImage decoded = decode(file);
+  decoded.no_data = image.no_data;
+  return decoded;
 }
 
 /// Alpha tells where there is data, unless it is zero everywhere: then it was never filled in.
@@ -26,6 +56,19 @@ cv::Mat1b mask_of_alpha(const cv::Mat& alpha) {
   if (cv::countNonZero(alpha) == 0) return {};
   const cv::Mat1b valid(alpha != 0);
   return cv::countNonZero(valid) == static_cast<int>(valid.total()) ? cv::Mat1b() : valid;
+}
+
+/// Takes pixels out of the valid ones where all bands equal the value.
+void mask_value(cv::Mat1b& valid, const std::vector<cv::Mat>& channels, double value) {
+  if (std::isnan(value)) return;  // masked as not finite
+  cv::Mat1b equal;
+  for (const cv::Mat& channel : channels) {
+    const cv::Mat1b equal_here(channel == value);
+    equal = equal.empty() ? equal_here : cv::Mat1b(equal & equal_here);
+  }
+  if (cv::countNonZero(equal) == 0) return;
+  if (valid.empty()) valid = cv::Mat1b(equal.size(), 255);
+  valid.setTo(0, equal);
 }
 
 /// Values that are not finite become 0 and masked.
@@ -45,30 +88,17 @@ void mask_non_finite(Raster& raster) {
 
 }  // namespace
 
-Raster read_raster(const std::string& file) {
+Raster read_raster(const std::string& file, const std::vector<double>& no_data) {
+  StoredImage stored = read_stored(file);
   Raster raster;
   raster.file = file;
-  const std::string magic = read_head(file, 3);
-  if (magic.starts_with("Pf") || magic.starts_with("PF")) {
-    raster.depth = CV_32F;
-    raster.planes = read_pfm_planes(file);
-  } else {
-    const cv::Mat image = decode(file);
-    raster.depth = image.depth();
-    std::vector<cv::Mat> channels;
-    cv::split(image, channels);
-    if (channels.size() > 4) {
-      throw Error(file + ": has " + std::to_string(channels.size()) +
-                  " channels; give a grey (1) or colour (3) image, with or without alpha");
-    }
-    if (channels.size() % 2 == 0) {
-      raster.valid = mask_of_alpha(channels.back());
-      channels.pop_back();
-    }
-    for (cv::Mat& channel : channels) {
-      channel.convertTo(raster.planes.emplace_back(), CV_32F);
-      channel.release();
-    }
+  raster.depth = stored.channels.front().depth();
+  if (!stored.alpha.empty()) raster.valid = mask_of_alpha(stored.alpha);
+  if (stored.no_data) mask_value(raster.valid, stored.channels, *stored.no_data);
+  for (const double value : no_data) mask_value(raster.valid, stored.channels, value);
+  for (cv::Mat& channel : stored.channels) {
+    channel.convertTo(raster.planes.emplace_back(), CV_32F);
+    channel.release();
   }
   mask_non_finite(raster);
   return raster;

@@ -3,22 +3,36 @@
 #pragma once
 
 #include <opencv2/core.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "xgm/base/export.hpp"
+
 namespace xgm {
+
+/// What decoders give, in the type of the file.
+struct StoredImage {
+  std::vector<cv::Mat> channels{};  ///< one (grey) or three (blue, green, red)
+  cv::Mat alpha{};                  ///< empty if there is none
+  std::optional<double> no_data{};  ///< the value that means no data, if the file names one
+};
 
 struct Raster {
   std::string file;
   int depth = CV_8U;              ///< OpenCV's code of the stored type
   std::vector<cv::Mat1f> planes;  ///< one (grey) or three (blue, green, red), values as stored
-  cv::Mat1b valid;                ///< empty, or 0 where alpha is 0 or a value is not finite
+  cv::Mat1b valid;                ///< empty, or 0 where there is no data
 
   cv::Size size() const { return planes.front().size(); }
+  bool is_valid(int y, int x) const { return valid.empty() || valid(y, x) != 0; }
+  bool holds_whole_numbers() const { return depth != CV_32F && depth != CV_64F; }
 };
 
-/// Decodes any format. Throws Error.
-Raster read_raster(const std::string& file);
+/// Decodes any format. A pixel has no data where alpha is 0, where a value is not finite, or where
+/// all bands equal the value that the file names (GDAL_NODATA) or one of `no_data`; values are
+/// compared in the type of the file. Throws Error. Exported for the tests only.
+XGM_API Raster read_raster(const std::string& file, const std::vector<double>& no_data = {});
 
 /// "8-bit", "16-bit", "float", ...
 std::string depth_name(int depth);

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/tiff.hpp"
+
+#include <algorithm>
+
+#include "io/tiff_file.hpp"
+#include "xgm/base/error.hpp"
+#include "xgm/base/scalar.hpp"
+
+namespace xgm {
+namespace {
+
+constexpr ttag_t kGdalNoData = 42113;
+
+int depth_of(std::uint16_t format, std::uint16_t bits) {
+  switch (format) {
+    case SAMPLEFORMAT_UINT:
+      return bits == 8 ? CV_8U : bits == 16 ? CV_16U : -1;
+    case SAMPLEFORMAT_INT:
+      return bits == 8 ? CV_8S : bits == 16 ? CV_16S : bits == 32 ? CV_32S : -1;
+    case SAMPLEFORMAT_IEEEFP:
+      return bits == 32 ? CV_32F : bits == 64 ? CV_64F : -1;
+    default:
+      return -1;
+  }
+}
+
+TiffLayout layout_of(const TiffFile& tiff) {
+  TiffLayout layout;
+  layout.width = tiff.field(TIFFTAG_IMAGEWIDTH, std::uint32_t{0});
+  layout.height = tiff.field(TIFFTAG_IMAGELENGTH, std::uint32_t{0});
+  tiff.require_possible(layout.width, layout.height);
+  layout.samples = tiff.field(TIFFTAG_SAMPLESPERPIXEL, std::uint16_t{1});
+  layout.is_tiled = TIFFIsTiled(tiff.handle()) != 0;
+  layout.bands_lie_apart =
+      tiff.field(TIFFTAG_PLANARCONFIG, std::uint16_t{PLANARCONFIG_CONTIG}) == PLANARCONFIG_SEPARATE;
+  const auto photometric = tiff.field(TIFFTAG_PHOTOMETRIC, std::uint16_t{PHOTOMETRIC_MINISBLACK});
+  if (photometric == PHOTOMETRIC_MINISBLACK || photometric == PHOTOMETRIC_RGB) {
+    layout.depth = depth_of(tiff.field(TIFFTAG_SAMPLEFORMAT, std::uint16_t{SAMPLEFORMAT_UINT}),
+                            tiff.field(TIFFTAG_BITSPERSAMPLE, std::uint16_t{1}));
+  }
+  return layout;
+}
+
+/// OpenCV decodes JPEG's colours to those that the tag speaks of. Other samples it changes.
+void require_values(const TiffFile& tiff) {
+  const auto photometric = tiff.field(TIFFTAG_PHOTOMETRIC, std::uint16_t{PHOTOMETRIC_MINISBLACK});
+  if (photometric == PHOTOMETRIC_YCBCR) return;
+  throw Error(tiff.name() +
+              ": has the tag GDAL_NODATA, but its samples are not the values of its pixels (a "
+              "palette, single bits, white as 0); convert it to grey or RGB");
+}
+
+/// Whether the band after the colours is alpha: if the file does not say that it is something else.
+bool has_alpha(const TiffFile& tiff) {
+  std::uint16_t count = 0;
+  const std::uint16_t* kinds = nullptr;
+  if (TIFFGetField(tiff.handle(), TIFFTAG_EXTRASAMPLES, &count, &kinds) != 1 || count == 0) {
+    return true;
+  }
+  return kinds[0] != EXTRASAMPLE_UNSPECIFIED;
+}
+
+void turn(cv::Mat& band, std::uint16_t orientation) {
+  if (orientation == ORIENTATION_TOPRIGHT) cv::flip(band, band, 1);
+  if (orientation == ORIENTATION_BOTRIGHT) cv::flip(band, band, -1);
+  if (orientation == ORIENTATION_BOTLEFT) cv::flip(band, band, 0);
+}
+
+std::string trimmed(std::string text) {
+  const auto is_blank = [](char c) { return c == ' ' || c == '\0' || c == '\n' || c == '\r'; };
+  while (!text.empty() && is_blank(text.back())) text.pop_back();
+  text.erase(text.begin(), std::find_if_not(text.begin(), text.end(), is_blank));
+  return text;
+}
+
+std::optional<double> no_data_of(const TiffFile& tiff) {
+  const TIFFField* field = TIFFFindField(tiff.handle(), kGdalNoData, TIFF_ANY);
+  if (field == nullptr || TIFFFieldDataType(field) != TIFF_ASCII) return std::nullopt;
+  std::uint32_t count = 0;
+  const char* characters = nullptr;
+  if (TIFFGetField(tiff.handle(), kGdalNoData, &count, &characters) != 1) return std::nullopt;
+  const std::string text = trimmed(std::string(characters, count));
+  const std::optional<double> value = to_number<double>(text);
+  if (!value) {
+    throw Error(tiff.name() + ": its tag GDAL_NODATA says '" + text +
+                "', which is no number; correct it (gdal_edit.py -a_nodata VALUE) or remove it "
+                "(gdal_edit.py -unsetnodata)");
+  }
+  return value;
+}
+
+}  // namespace
+
+bool is_tiff(std::string_view head) {
+  using namespace std::string_view_literals;
+  return head.starts_with("II*\0"sv) || head.starts_with("MM\0*"sv) ||
+         head.starts_with("II+\0"sv) || head.starts_with("MM\0+"sv);
+}
+
+StoredImage read_tiff(const std::string& file) {
+  const TiffFile tiff(file);
+  const TiffLayout layout = layout_of(tiff);
+  const auto orientation = tiff.field(TIFFTAG_ORIENTATION, std::uint16_t{ORIENTATION_TOPLEFT});
+  StoredImage image;
+  image.no_data = no_data_of(tiff);
+  if (layout.depth < 0 && image.no_data) require_values(tiff);
+  if (layout.depth < 0 || orientation > ORIENTATION_BOTLEFT) return image;
+  if (layout.samples > 4) {
+    throw Error(file + ": has " + std::to_string(layout.samples) +
+                " channels; give a grey (1) or colour (3) image, with or without alpha");
+  }
+  std::vector<cv::Mat> bands = read_bands(tiff, layout);
+  for (cv::Mat& band : bands) turn(band, orientation);
+  const std::size_t colours = bands.size() > 2 ? 3 : 1;
+  if (bands.size() > colours && has_alpha(tiff)) image.alpha = bands.back();
+  bands.resize(colours);
+  image.channels.assign(bands.rbegin(), bands.rend());  // red is stored first, and kept last
+  return image;
+}
+
+}  // namespace xgm
