@@ -83,6 +83,35 @@ TEST_CASE("pfm: pixels whose first byte looks like white space are not taken for
   CHECK(map(0, 0) == expected);
 }
 
+TEST_CASE("pfm: blanks and either line end may stand behind the scale; pixels are never shifted") {
+  const TemporaryFolder folder;
+  for (const char* header : {"Pf\n2 1\n-1\n", "Pf\r\n2 1\r\n-1\r\n", "Pf\n2 1\n-1 \n", "Pf 2 1 -1 ",
+                             "Pf\n2 1\n-1\t \r\n", "Pf\n2 1\n-1\r"}) {
+    CAPTURE(header);
+    for (const std::string pixels : {"\n\n\n\n\r\n \t", "\n\r\n ....", "abcdefgh"}) {
+      const cv::Mat1f map = read_pfm(folder.write("map.pfm", header + pixels));
+      CHECK(std::memcmp(map[0], pixels.data(), pixels.size()) == 0);
+    }
+  }
+}
+
+TEST_CASE("pfm: a file that is longer than its header says is refused") {
+  const TemporaryFolder folder;
+  const std::string pixels = "\n\n\n\n....";
+  for (const std::string& bytes :
+       {"Pf\n2 1\n-1\n" + pixels + "x", "Pf\n2 1\n-1\n" + pixels + "\n", "Pf\n2 1\n-1\n\n" + pixels,
+        "Pf\n2 1\n-1\n\r\n" + pixels, "Pf\n2 1\n-1\n" + pixels + pixels,
+        "PF\n2 1\n-1\n" + pixels + pixels + pixels + "    ",
+        "Pf\r\n2 1\r\n-1\r\n" + std::string("\r\n\r\n\r\n\r\n....")}) {
+    CAPTURE(bytes);
+    const std::string file = folder.write("long.pfm", bytes);
+    CHECK(contains(error_of([&] { read_pfm_planes(file); }),
+                   file + ": is longer than its header says"));
+  }
+  const std::string file = folder.write("comment.pfm", "Pf\n# by hand\n2 1\n-1\n" + pixels);
+  CHECK(contains(error_of([&] { read_pfm(file); }), "broken PFM header"));
+}
+
 TEST_CASE("pfm: colour planes come blue first") {
   const TemporaryFolder folder;
   const auto planes =

@@ -5,6 +5,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "io/tiff.hpp"
+#include "io/whole_file.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/io/file.hpp"
 #include "xgm/io/pfm.hpp"
@@ -43,7 +44,10 @@ StoredImage read_stored(const std::string& file) {
     const std::vector<cv::Mat1f> planes = read_pfm_planes(file);
     return {.channels = {planes.begin(), planes.end()}};
   }
-  if (!is_tiff(head)) return decode(file);
+  if (!is_tiff(head)) {
+    require_whole(file, head);
+    return decode(file);
+  }
   StoredImage image = read_tiff(file);
   if (!image.channels.empty()) return image;
   StoredImage decoded = decode(file);
