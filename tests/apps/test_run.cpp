@@ -67,8 +67,8 @@ TEST_CASE("run: a scene gives the right map, pictures and a record") {
   CHECK(contains(outcome.output, "within 1 px"));
   const cv::Mat1f map = read_pfm(desk / "out/disparity.pfm");
   CHECK(map(12, 20) == kDisparity);
-  CHECK_NOTHROW(read_mask(desk / "out/disparity.png"));
-  CHECK_NOTHROW(read_mask(desk / "out/status.png"));
+  CHECK_NOTHROW(read_mask(desk / "out/disparity.png", MaskUse::usable));
+  CHECK_NOTHROW(read_mask(desk / "out/status.png", MaskUse::usable));
   const auto record = desk.record("out");
   CHECK(record["disparities"]["last"] == 7);
   CHECK(contains(record["disparities"]["from"], "calib.txt"));

@@ -162,7 +162,7 @@ void check_truth(const Row& row, const GroundTruth& truth) {
 
 /// The mask made here and the one that was made when the scenes were collected.
 void check_derived_mask(const fs::path& file, const GroundTruth& truth) {
-  const cv::Mat1b expected = read_mask(file.string());
+  const cv::Mat1b expected = read_mask(file.string(), MaskUse::judged).value;
   REQUIRE(expected.size() == truth.non_occluded.size());
   CHECK(cv::countNonZero(expected != truth.non_occluded) == 0);
 }

@@ -181,9 +181,9 @@ TEST_CASE("six scenes, both masks: figures equal those of an independent evaluat
     REQUIRE(plain_map.values.size() == plain_mask.values.size());
 
     GroundTruth truth;
-    truth.disparity = scene.divisor == 0 ? read_disparities(truth_file)
-                                         : read_disparities(truth_file, scene.divisor);
-    truth.non_occluded = read_mask(mask_file);
+    truth.disparity = scene.divisor == 0 ? read_disparities(truth_file).value
+                                         : read_disparities(truth_file, scene.divisor).value;
+    truth.non_occluded = read_mask(mask_file, MaskUse::judged).value;
     compare(map, truth, {}, plain_map, plain_truth, {}, scene.disparities);
     compare(map, truth, truth.non_occluded, plain_map, plain_truth, plain_mask.values,
             scene.disparities);

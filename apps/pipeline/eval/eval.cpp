@@ -7,6 +7,7 @@
 #include "commands.hpp"
 #include "eval/eval_options.hpp"
 #include "eval/eval_table.hpp"
+#include "options/values.hpp"
 #include "terminal/console.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/evaluation/run_record.hpp"
@@ -78,12 +79,26 @@ void warn_of_other_images(const EvalOptions& options, const SceneFiles& scene) {
   }
 }
 
+/// The value, after a word on what is doubtful in its file.
+template <class Value>
+Value warned(Noted<Value> read) {
+  for (const std::string& warning : read.warnings) log_warning(warning);
+  return std::move(read.value);
+}
+
 GroundTruth read_truth(const EvalOptions& options, const Comparison& files, cv::Size size) {
-  if (files.scene) return load_truth(files.scene->truth, size);
+  if (files.scene) {
+    GroundTruth truth = load_truth(files.scene->truth, size);
+    for (const std::string& warning : truth.warnings) log_warning(warning);
+    return truth;
+  }
   GroundTruth truth;
-  truth.disparity = read_disparities(options.truth, options.truth_divisor);
-  if (!options.mask.empty()) truth.non_occluded = read_mask(options.mask);
-  if (!options.objects.empty()) truth.objects = read_mask(options.objects);
+  truth.disparity =
+      warned(read_disparities(options.truth, options.truth_divisor,
+                              parse_no_data(options.truth_no_data, "--truth-nodata")));
+  if (!options.mask.empty()) truth.non_occluded = warned(read_mask(options.mask, MaskUse::judged));
+  if (!options.objects.empty())
+    truth.objects = warned(read_mask(options.objects, MaskUse::objects));
   return truth;
 }
 
@@ -111,13 +126,14 @@ EvaluationReport judge(const EvalOptions& options) {
   if (files.scene) warn_of_other_images(options, *files.scene);
   report.rules.clip =
       parse_clip(options.clip, files.scene ? files.scene->disparities : std::nullopt);
-  const DisparityMap map = read_map(files.map, options.divisor);
+  const DisparityMap map =
+      warned(read_map(files.map, options.divisor, parse_no_data(options.no_data, "--nodata")));
   const GroundTruth truth = read_truth(options, files, map.size());
   report.size = map.size();
   report.regions = evaluate_regions(map, truth, report.rules);
   if (!files.confidence.empty()) {
-    report.confidence =
-        sparsification_by_region(map, truth, read_disparities(files.confidence), report.rules);
+    report.confidence = sparsification_by_region(
+        map, truth, warned(read_disparities(files.confidence)), report.rules);
   }
   report.inputs = identify(options, files);
   return report;

@@ -35,6 +35,7 @@ void add_inputs(Command command, EvalOptions& options) {
               "What values of DISPARITY are divided by to give px (KITTI: 256); without it "
               "only float files are taken for disparities")
       .type_name("NUMBER");
+  add_no_data_option(command, "--nodata", options.no_data, "DISPARITY");
   auto truth = command.option("--truth", options.truth,
                               "True disparities: PFM, or PNG with --truth-divisor");
   truth.type_name("FILE").existing_file().excludes(scene);
@@ -44,6 +45,7 @@ void add_inputs(Command command, EvalOptions& options) {
               "numbers)")
       .type_name("NUMBER")
       .needs(truth);
+  add_no_data_option(command, "--truth-nodata", options.truth_no_data, "the truth").needs(truth);
   auto mask = command.option("--mask,--truth-mask", options.mask,
                              "Image that is 255 on non-occluded pixels (mask0nocc.png)");
   auto objects =

@@ -17,8 +17,10 @@ struct EvalOptions {
   std::string dataset;
   PluginOptions plugins;
   std::optional<double> divisor;
+  std::string no_data;
   std::string truth;
   std::optional<double> truth_divisor;
+  std::string truth_no_data;
   std::string mask;
   std::string objects;
   std::string confidence;

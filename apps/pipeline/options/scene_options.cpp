@@ -44,6 +44,7 @@ Option add_images(Command command, SceneOptions& options) {
   for (Option option : {left, right, left_mask, right_mask}) {
     option.type_name("FILE").existing_file();
   }
+  add_no_data_option(command, "--nodata", options.no_data, "images and range maps");
   left.needs(right);
   right.needs(left);
   return left;
@@ -62,10 +63,19 @@ Option add_search(Command command, SceneOptions& options) {
   auto interval = add_interval(command, options);
   return command
       .option("--range-maps", options.range_maps,
-              "Smallest and largest disparity of every pixel, both included: two PFM files; "
-              "not finite = nothing to search")
+              "Smallest and largest disparity of every pixel, both included: two PFM or "
+              "float TIFF files; not finite = nothing to search")
       .type_name("MIN.pfm,MAX.pfm")
       .excludes(interval);
+}
+
+Option add_no_data_option(Command command, const std::string& name, std::string& values,
+                          const std::string& files) {
+  return command
+      .option(name, values,
+              "Values of " + files +
+                  " that mean no data, beside those that a file names itself (GDAL_NODATA): -9999")
+      .type_name("VALUE[,VALUE]");
 }
 
 void add_matching(Command command, SceneOptions& options) {
@@ -86,6 +96,7 @@ void add_truth(Command command, SceneOptions& options) {
               "What the truth's values are divided by to give px (KITTI: 256)")
       .type_name("NUMBER")
       .needs(truth);
+  add_no_data_option(command, "--truth-nodata", options.truth_no_data, "the truth").needs(truth);
   command
       .option("--truth-mask", options.truth_mask,
               "Image that is 255 where the map is judged (Middlebury: mask0nocc.png)")

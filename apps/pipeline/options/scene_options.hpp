@@ -17,6 +17,7 @@ struct SceneOptions {
   std::string scene_name;  ///< of its scenes, the one to match
   std::string dataset;
   PairFiles images;
+  std::string no_data;
   std::string disparities;
   std::string range_maps;
   std::vector<std::string> assignments;
@@ -25,6 +26,7 @@ struct SceneOptions {
   std::string truth;
   std::string truth_mask;
   std::optional<double> truth_divisor;
+  std::string truth_no_data;
   std::string log_level = "info";
   PluginOptions plugins;
 };
@@ -40,6 +42,9 @@ void add_scene_choice(Command command, SceneOptions& options, Option scene);
 Option add_interval(Command command, SceneOptions& options);
 /// --disparities and --range-maps, which is returned.
 Option add_search(Command command, SceneOptions& options);
+/// --nodata, or --truth-nodata: values of `files` that mean none.
+Option add_no_data_option(Command command, const std::string& name, std::string& values,
+                          const std::string& files);
 /// Parameters and threads.
 void add_matching(Command command, SceneOptions& options);
 void add_truth(Command command, SceneOptions& options);

@@ -18,12 +18,17 @@ SceneFiles scene_files(const SceneOptions& options, const Registry& registry) {
   }
   if (!options.images.left_mask.empty()) files.images.left_mask = options.images.left_mask;
   if (!options.images.right_mask.empty()) files.images.right_mask = options.images.right_mask;
+  const std::vector<double> no_data = parse_no_data(options.no_data, "--nodata");
+  files.images.no_data.insert(files.images.no_data.end(), no_data.begin(), no_data.end());
   return files;
 }
 
 Scene sample_scene(const SceneOptions& options) {
   if (!options.images.left_mask.empty() || !options.images.right_mask.empty()) {
     throw UsageError("masks need images: give a SCENE_DIR, or --left and --right");
+  }
+  if (!options.no_data.empty()) {
+    throw UsageError("--nodata needs images: give a SCENE_DIR, or --left and --right");
   }
   Scene scene = synthesis::sample_scene();
   scene.notes.push_back("no images were given: the built-in sample pair is matched (" +
@@ -33,17 +38,18 @@ Scene sample_scene(const SceneOptions& options) {
 }
 
 /// "min.pfm,max.pfm"
-RangeMapFiles parse_range_maps(const std::string& text) {
+RangeMapFiles parse_range_maps(const std::string& text, const std::string& no_data) {
   const std::size_t comma = text.find(',');
   if (comma == std::string::npos || comma == 0 || comma + 1 == text.size() ||
       text.find(',', comma + 1) != std::string::npos) {
     throw UsageError("--range-maps " + text + ": write two file names, MIN.pfm,MAX.pfm");
   }
-  return {text.substr(0, comma), text.substr(comma + 1)};
+  return {text.substr(0, comma), text.substr(comma + 1), parse_no_data(no_data, "--nodata")};
 }
 
 TruthFiles truth_files(const SceneOptions& options) {
-  return {.disparity = {options.truth, options.truth_divisor.value_or(0)},
+  return {.disparity = {options.truth, options.truth_divisor.value_or(0),
+                        parse_no_data(options.truth_no_data, "--truth-nodata")},
           .non_occluded = options.truth_mask};
 }
 
@@ -53,7 +59,8 @@ SceneRequest scene_request(const SceneOptions& options, const Registry& registry
   SceneRequest request;
   request.disparities_from = "command line";
   if (!options.disparities.empty()) request.disparities = parse_disparities(options.disparities);
-  if (!options.range_maps.empty()) request.range_maps = parse_range_maps(options.range_maps);
+  if (!options.range_maps.empty())
+    request.range_maps = parse_range_maps(options.range_maps, options.no_data);
   if (!options.truth.empty()) request.truth = truth_files(options);
   if (!options.memory_limit.empty()) {
     request.memory_limit = parse_bytes(options.memory_limit, "--memory-limit");

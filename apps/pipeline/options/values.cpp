@@ -51,6 +51,20 @@ std::optional<double> parse_number(std::string_view text) {
 
 std::optional<int> parse_whole(std::string_view text) { return parse<int>(text); }
 
+std::vector<double> parse_no_data(const std::string& text, const std::string& option) {
+  std::vector<double> values;
+  if (text.empty()) return values;
+  for (const std::string& item : split_at_commas(text)) {
+    const std::optional<double> value = parse_number(item);
+    if (!value) {
+      throw UsageError(option + " " + text +
+                       ": write numbers, for example -9999 or 0,65535 (NaN never is data)");
+    }
+    values.push_back(*value);
+  }
+  return values;
+}
+
 Interval parse_disparities(const std::string& text, const std::string& option) {
   const std::size_t colon = text.find(':');
   const auto first = parse_disparity(std::string_view(text).substr(0, colon));

@@ -19,6 +19,10 @@ std::optional<double> parse_number(std::string_view text);
 /// A whole number and nothing else; it may have a sign.
 std::optional<int> parse_whole(std::string_view text);
 
+/// "-9999" or "0,65535": values that mean no data; empty if the text is. Throws UsageError, which
+/// names the option.
+std::vector<double> parse_no_data(const std::string& text, const std::string& option);
+
 /// "MIN:MAX", both included. Throws UsageError, which names the option.
 Interval parse_disparities(const std::string& text, const std::string& option = "--disparities");
 

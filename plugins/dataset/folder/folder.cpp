@@ -18,6 +18,7 @@ constexpr double kMin = 1e-6;
 struct FolderParameters {
   std::string left, right, left_mask, right_mask;
   std::string truth, reverse_truth, visible_truth, non_occluded, objects;
+  std::vector<double> no_data, truth_no_data;
   double truth_divisor = 0, reverse_truth_divisor = 0;  // 0 = not said
   std::string calibration;
   std::vector<double> disparities;
@@ -37,6 +38,9 @@ void describe_images(FolderParameters& p, ParameterSet& set) {
   set.add("right", p.right, "Right images, likewise.");
   set.add("left_mask", p.left_mask, "Masks that are not zero where a left image may be used.");
   set.add("right_mask", p.right_mask, "The same of the right images.");
+  set.add("no_data", p.no_data,
+          "Values of the images that mean no data, beside those that the files name (GDAL_NODATA): "
+          "[-9999].");
 }
 
 void describe_truth(FolderParameters& p, ParameterSet& set) {
@@ -47,6 +51,9 @@ void describe_truth(FolderParameters& p, ParameterSet& set) {
           "What the values of truth and visible_truth are divided by to give px, negative if they "
           "have the other sign than x_left - x_right; images of 8 or 16 bit need it, 0 = not said.")
       .range(-kMax, kMax);
+  set.add("truth_no_data", p.truth_no_data,
+          "Values of all truths that mean none, as stored, beside those that the files name: "
+          "[65535].");
   set.add("reverse_truth", p.reverse_truth, "True disparities of the right images.");
   set.add("reverse_truth_divisor", p.reverse_truth_divisor,
           "What their values are divided by to give px, negative if they are stored as positive "
@@ -138,12 +145,16 @@ class Folder final : public Dataset {
       scene.missing.push_back(file + ": " + what);
       return std::string();
     };
-    scene.images = {path(p_.left), path(p_.right), path(p_.left_mask), path(p_.right_mask)};
-    scene.truth.disparity = {optional(p_.truth, "true disparities to judge by"), p_.truth_divisor};
-    scene.truth.reverse = {optional(p_.reverse_truth, "true disparities of the right view"),
-                           p_.reverse_truth_divisor};
-    scene.truth.visible = {optional(p_.visible_truth, "true disparities of pixels not hidden"),
-                           p_.truth_divisor};
+    scene.images = {path(p_.left), path(p_.right), path(p_.left_mask), path(p_.right_mask),
+                    p_.no_data};
+    const auto truth = [&](const std::string& pattern, double divisor, const char* what) {
+      return DisparityFile{optional(pattern, what), divisor, p_.truth_no_data};
+    };
+    scene.truth.disparity = truth(p_.truth, p_.truth_divisor, "true disparities to judge by");
+    scene.truth.reverse =
+        truth(p_.reverse_truth, p_.reverse_truth_divisor, "true disparities of the right view");
+    scene.truth.visible =
+        truth(p_.visible_truth, p_.truth_divisor, "true disparities of pixels not hidden");
     scene.truth.non_occluded = optional(p_.non_occluded, "which pixels are not occluded");
     scene.truth.objects = optional(p_.objects, "which pixels are of moving objects");
     if (!p_.calibration.empty()) {

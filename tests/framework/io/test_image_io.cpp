@@ -170,11 +170,11 @@ TEST_CASE("pairs that do not fit and files that are no images are errors that na
 TEST_CASE("true disparities: PFM as they are, PNG by the divisor with 0 for none") {
   const TemporaryFolder folder;
   cv::imwrite(folder / "kitti.png", cv::Mat1w((cv::Mat1w(1, 2) << 0, 640)));
-  const cv::Mat1f kitti = read_disparities(folder / "kitti.png", 256);
+  const cv::Mat1f kitti = read_disparities(folder / "kitti.png", 256).value;
   CHECK(std::isnan(kitti(0)));
   CHECK(kitti(1) == 2.5f);
   write_pfm(folder / "t.pfm", (cv::Mat1f(1, 3) << kNan, -3.5f, 0));
-  const cv::Mat1f map = read_disparities(folder / "t.pfm");
+  const cv::Mat1f map = read_disparities(folder / "t.pfm").value;
   CHECK(std::isnan(map(0)));
   CHECK(map(1) == -3.5f);
   CHECK(map(2) == 0);
@@ -185,10 +185,10 @@ TEST_CASE("disparities: a negative divisor turns the signs, and grey may be stor
   const TemporaryFolder folder;
   const cv::Mat3b grey = (cv::Mat3b(1, 2) << cv::Vec3b(40, 40, 40), cv::Vec3b(0, 0, 0));
   cv::imwrite(folder / "grey.png", grey);
-  const cv::Mat1f map = read_disparities(folder / "grey.png", -4);
+  const cv::Mat1f map = read_disparities(folder / "grey.png", -4).value;
   CHECK(map(0) == -10);
   CHECK(std::isnan(map(1)));
-  const DisparityMap read = read_map(folder / "grey.png", 4);
+  const DisparityMap read = read_map(folder / "grey.png", 4).value;
   CHECK(read.at(0, 0) == Status::matched);
   CHECK(read.at(0, 1) == Status::out_of_range);
 }

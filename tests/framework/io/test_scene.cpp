@@ -48,7 +48,7 @@ TEST_CASE("calib.txt may be missing or without ndisp, but a faulty ndisp is loca
   CHECK_FALSE(find_scene(folder.path(), builtins()).disparities.has_value());
   folder.write("calib.txt", "baseline=60\nwidth=941\n");
   CHECK_FALSE(find_scene(folder.path(), builtins()).disparities.has_value());
-  for (const char* value : {"", "0", "-4", "12px", "99999999999", "1e9"}) {
+  for (const char* value : {"", "0", "-4", "12px", "99999999999", "1e9", "nan", "inf"}) {
     CAPTURE(value);
     folder.write("calib.txt", std::string("width=6\nndisp=") + value + "\n");
     CHECK(contains(error_of([&] { find_scene(folder.path(), builtins()); }), "calib.txt:2: ndisp"));
@@ -69,7 +69,7 @@ TEST_CASE("range maps: [floor(min), ceil(max)] with both ends, empty where not f
   const TemporaryFolder folder;
   write_pfm(folder / "min.pfm", (cv::Mat1f(1, 5) << -2.5f, 3, kNan, 4, 7));
   write_pfm(folder / "max.pfm", (cv::Mat1f(1, 5) << -1.5f, 3, 5, kNan, 6));
-  const DisparityRange range = read_range_maps(folder / "min.pfm", folder / "max.pfm");
+  const DisparityRange range = read_range_maps(folder / "min.pfm", folder / "max.pfm").value;
   CHECK(range.at(0, 0) == Interval{-3, 0});
   CHECK(range.at(0, 1) == Interval{3, 4});
   for (int x = 2; x < 5; ++x) CHECK(range.at(0, x).empty());
@@ -87,7 +87,7 @@ TEST_CASE("range maps of different size, without any range, or with nonsense are
   };
   CHECK(contains(message("a.pfm", "b.pfm"), "b.pfm: is 2 x 2 pixels"));
   CHECK(contains(message("a.pfm", "low.pfm"), "is the order min.pfm,max.pfm?"));
-  CHECK(contains(message("a.pfm", "huge.pfm"), "no disparity in pixels"));
+  CHECK(contains(message("a.pfm", "huge.pfm"), "leaves no disparity"));
 }
 
 TEST_CASE("clip_to_width keeps what an image can show") {

@@ -218,8 +218,8 @@ TEST_CASE("write_maps: three files, in a folder that is made; nothing if that ca
   const DisparityMap map = run_scene(load(), {.scene = scene_in_memory()}).maps.forward;
   write_maps(folder / "a/b", map);
   CHECK(read_pfm(folder / "a/b/disparity.pfm")(12, 20) == kDisparity);
-  CHECK_NOTHROW(read_mask(folder / "a/b/disparity.png"));
-  CHECK_NOTHROW(read_mask(folder / "a/b/status.png"));
+  CHECK_NOTHROW(read_mask(folder / "a/b/disparity.png", MaskUse::usable));
+  CHECK_NOTHROW(read_mask(folder / "a/b/status.png", MaskUse::usable));
   folder.write("file", "");
   CHECK_THROWS_AS(write_maps(folder / "file", map), UsageError);
   CHECK(folder.files() == 2);

@@ -46,10 +46,10 @@ TEST_CASE("write_scene: what is read back is the scene") {
         CHECK(farthest(pair.base.planes[c], scene.pair.base.planes[c]) < 1e-4);
         CHECK(farthest(pair.match.planes[c], scene.pair.match.planes[c]) < 1e-4);
       }
-      CHECK(farthest(read_disparities(folder / "scene/disp0GT.pfm"), scene.truth) == 0);
-      CHECK(farthest(read_disparities(folder / "scene/disp1GT.pfm"),
+      CHECK(farthest(read_disparities(folder / "scene/disp0GT.pfm").value, scene.truth) == 0);
+      CHECK(farthest(read_disparities(folder / "scene/disp1GT.pfm").value,
                      cv::Mat1f(-scene.reverse_truth)) == 0);
-      const cv::Mat1b mask = read_mask(folder / "scene/mask1nocc.png");
+      const cv::Mat1b mask = read_mask(folder / "scene/mask1nocc.png", MaskUse::judged).value;
       CHECK(cv::countNonZero((mask == 255) != scene.reverse_non_occluded) == 0);
       CHECK(cv::countNonZero(mask == 128) + cv::countNonZero(mask == 255) == 40 * 30);
     }

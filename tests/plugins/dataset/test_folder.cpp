@@ -19,6 +19,8 @@ TEST_CASE("folder: patterns of folders or of files, with all that can be said of
                 "right: '{scene}/im_right.png'\n"
                 "truth: '{scene}/gt.png'\n"
                 "truth_divisor: 4\n"
+                "no_data: [0, -9999]\n"
+                "truth_no_data: [255]\n"
                 "reverse_truth: '{scene}/gt_right.png'\n"
                 "reverse_truth_divisor: -4\n"
                 "disparities: [-8, 40]\n"
@@ -30,6 +32,9 @@ TEST_CASE("folder: patterns of folders or of files, with all that can be said of
   CHECK(scenes[0].disparities == Interval{-8, 41});
   CHECK(scenes[0].weight == 0.5);
   CHECK(scenes[0].scale == 2);
+  CHECK(scenes[0].images.no_data == std::vector<double>{0, -9999});
+  CHECK(scenes[0].truth.disparity.no_data == std::vector<double>{255});
+  CHECK(scenes[0].truth.reverse.no_data == std::vector<double>{255});
   const GroundTruth truth = load_truth(scenes[0].truth, {kTreeWidth, kTreeHeight});
   CHECK(truth.disparity(0) == 15);
   CHECK(truth.reverse(0) == -15);

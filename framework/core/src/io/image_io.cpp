@@ -8,7 +8,9 @@
 #include <opencv2/imgcodecs.hpp>
 #include <sstream>
 
+#include "io/marks.hpp"
 #include "io/raster.hpp"
+#include "io/warnings.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/io/file.hpp"
 #include "xgm/io/pfm.hpp"
@@ -77,9 +79,9 @@ void require_same(const Raster& left, const Raster& right) {
   }
 }
 
-void apply_mask(Raster& raster, const std::string& file) {
+void apply_mask(Raster& raster, const std::string& file, std::vector<std::string>& warnings) {
   if (file.empty()) return;
-  const cv::Mat1b mask = read_mask(file);
+  const cv::Mat1b mask = take(read_mask(file, MaskUse::usable), warnings);
   if (mask.size() != raster.size()) {
     throw Error(file + ": is " + size_text(mask.size()) + " pixels but " + raster.file + " is " +
                 size_text(raster.size()) + "; a mask has the size of its image");
@@ -105,13 +107,15 @@ Image to_image(Raster raster, const Scaling& scaling) {
 }  // namespace
 
 ReadPair read_pair(const PairFiles& files) {
-  Raster left = read_raster(files.left);
-  Raster right = read_raster(files.right);
+  Raster left = read_raster(files.left, files.no_data);
+  Raster right = read_raster(files.right, files.no_data);
   require_same(left, right);
-  apply_mask(left, files.left_mask);
-  apply_mask(right, files.right_mask);
-
   ReadPair result;
+  apply_mask(left, files.left_mask, result.warnings);
+  apply_mask(right, files.right_mask, result.warnings);
+  append(result.warnings, mask_marks_of_image(left));
+  append(result.warnings, mask_marks_of_image(right));
+
   const Scaling scaling = choose_scaling(left, right);
   if (!scaling.note.empty()) result.notes.push_back(scaling.note);
   result.pair.base = to_image(std::move(left), scaling);
@@ -121,19 +125,6 @@ ReadPair read_pair(const PairFiles& files) {
     for (Image* image : {&result.pair.base, &result.pair.match}) image->planes = {image->grey()};
   }
   return result;
-}
-
-cv::Mat1b read_mask(const std::string& file) {
-  const Raster raster = read_raster(file);
-  cv::Mat1f largest = raster.planes.front();
-  for (const cv::Mat1f& plane : raster.planes) largest = cv::max(largest, plane);
-  cv::Mat1b mask;
-  if (raster.depth == CV_8U) {
-    largest.convertTo(mask, CV_8U);
-  } else {
-    mask = largest != 0;
-  }
-  return mask;
 }
 
 namespace {

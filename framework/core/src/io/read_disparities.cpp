@@ -3,9 +3,9 @@
 #include <cmath>
 #include <limits>
 
-#include "io/raster.hpp"
+#include "io/disparities.hpp"
+#include "io/marks.hpp"
 #include "xgm/base/error.hpp"
-#include "xgm/io/image_io.hpp"
 
 namespace xgm {
 namespace {
@@ -17,20 +17,11 @@ bool has_equal_channels(const Raster& raster) {
   return true;
 }
 
-bool holds_whole_numbers(const Raster& raster) {
-  return raster.depth != CV_32F && raster.depth != CV_64F;
-}
-
-void require_measures(const Raster& raster, std::optional<double> divisor) {
-  if (!has_equal_channels(raster)) {
-    throw Error(raster.file +
-                ": is a colour picture; its colours are no measures of disparity: give a PFM "
-                "(disparity.pfm), or an image of one channel");
-  }
+void require_divisor(const Raster& raster, std::optional<double> divisor) {
   if (divisor && (!std::isfinite(*divisor) || *divisor == 0)) {
     throw Error(raster.file + ": the divisor of its values must be a number other than 0");
   }
-  if (!divisor && holds_whole_numbers(raster)) {
+  if (!divisor && raster.holds_whole_numbers()) {
     throw Error(raster.file + ": holds whole numbers (" + depth_name(raster.depth) +
                 "), as pictures for display do: give a PFM (disparity.pfm), or say by which number "
                 "they are divided to give px (--divisor, --truth-divisor; in a dataset.yaml "
@@ -38,34 +29,51 @@ void require_measures(const Raster& raster, std::optional<double> divisor) {
   }
 }
 
-}  // namespace
-
-cv::Mat1f read_disparities(const std::string& file, std::optional<double> divisor) {
-  const Raster raster = read_raster(file);
-  require_measures(raster, divisor);
-  const cv::Mat1f stored = raster.planes.front();
-  const bool zero_is_none = holds_whole_numbers(raster);
-  cv::Mat1f map(stored.size());
-  for (int y = 0; y < map.rows; ++y) {
-    for (int x = 0; x < map.cols; ++x) {
-      const bool none =
-          (zero_is_none && stored(y, x) == 0) || (!raster.valid.empty() && raster.valid(y, x) == 0);
-      map(y, x) = none ? std::numeric_limits<float>::quiet_NaN()
-                       : static_cast<float>(stored(y, x) / divisor.value_or(1));
-    }
-  }
-  return map;
+void mask_zeros(Raster& raster) {
+  const cv::Mat1b known(raster.planes.front() != 0);
+  raster.valid = raster.valid.empty() ? known : cv::Mat1b(raster.valid & known);
 }
 
-DisparityMap read_map(const std::string& file, std::optional<double> divisor) {
-  const cv::Mat1f disparities = read_disparities(file, divisor);
+}  // namespace
+
+void require_no_picture(const Raster& raster) {
+  if (has_equal_channels(raster)) return;
+  throw Error(raster.file +
+              ": is a colour picture; its colours are no measures of disparity: give a PFM "
+              "(disparity.pfm), or an image of one channel");
+}
+
+Noted<cv::Mat1f> to_disparities(Raster raster, double divisor) {
+  if (raster.holds_whole_numbers()) mask_zeros(raster);
+  Noted<cv::Mat1f> read{cv::Mat1f(raster.size()), mask_marks_of_map(raster, divisor)};
+  const cv::Mat1f& stored = raster.planes.front();
+  for (int y = 0; y < stored.rows; ++y) {
+    for (int x = 0; x < stored.cols; ++x) {
+      read.value(y, x) = raster.is_valid(y, x) ? static_cast<float>(stored(y, x) / divisor)
+                                               : std::numeric_limits<float>::quiet_NaN();
+    }
+  }
+  return read;
+}
+
+Noted<cv::Mat1f> read_disparities(const std::string& file, std::optional<double> divisor,
+                                  const std::vector<double>& no_data) {
+  Raster raster = read_raster(file, no_data);
+  require_no_picture(raster);
+  require_divisor(raster, divisor);
+  return to_disparities(std::move(raster), divisor.value_or(1));
+}
+
+Noted<DisparityMap> read_map(const std::string& file, std::optional<double> divisor,
+                             const std::vector<double>& no_data) {
+  const auto [disparities, warnings] = read_disparities(file, divisor, no_data);
   DisparityMap map(disparities.size());
-  for (int y = 0; y < disparities.rows; ++y) {
-    for (int x = 0; x < disparities.cols; ++x) {
+  for (int y = 0; y < map.size().height; ++y) {
+    for (int x = 0; x < map.size().width; ++x) {
       if (std::isfinite(disparities(y, x))) map.set(y, x, disparities(y, x));
     }
   }
-  return map;
+  return {std::move(map), warnings};
 }
 
 }  // namespace xgm

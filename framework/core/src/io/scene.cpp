@@ -25,6 +25,7 @@ Scene load_scene(const SceneFiles& files) {
   ReadPair read = read_pair(files.images);
   scene.pair = std::move(read.pair);
   scene.notes = std::move(read.notes);
+  scene.warnings = std::move(read.warnings);
   note_masked_share(scene.pair.base, "left", scene.notes);
   note_masked_share(scene.pair.match, "right", scene.notes);
   for (const auto& [role, file] : {std::pair{"left", files.images.left},

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "io/raster.hpp"
+#include "io/warnings.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/io/scene.hpp"
 
@@ -18,16 +19,20 @@ Map of_size(Map map, const std::string& file, cv::Size size) {
               size_text(size) + "; truth and masks have the size of the images");
 }
 
-cv::Mat1f read_truth(const DisparityFile& from, cv::Size size, bool reverse = false) {
+cv::Mat1f read_truth(const DisparityFile& from, cv::Size size, std::vector<std::string>& warnings,
+                     bool reverse = false) {
   if (from.file.empty()) return {};
   const bool said = from.divisor != 0;
   const auto divisor = said ? std::optional(from.divisor) : std::nullopt;
-  const cv::Mat1f map = of_size(read_disparities(from.file, divisor), from.file, size);
+  const cv::Mat1f map =
+      of_size(take(read_disparities(from.file, divisor, from.no_data), warnings), from.file, size);
   return reverse && !said ? cv::Mat1f(-map) : map;
 }
 
-cv::Mat1b read_mask_of(const std::string& file, cv::Size size) {
-  return file.empty() ? cv::Mat1b() : of_size(read_mask(file), file, size);
+cv::Mat1b read_mask_of(const std::string& file, MaskUse use, cv::Size size,
+                       std::vector<std::string>& warnings) {
+  if (file.empty()) return {};
+  return of_size(take(read_mask(file, use), warnings), file, size);
 }
 
 /// Pixels whose disparity is also in the map of those that are not hidden.
@@ -77,12 +82,13 @@ void require_judgeable(const GroundTruth& truth) {
 
 GroundTruth load_truth(const TruthFiles& files, cv::Size size) {
   GroundTruth truth;
-  truth.disparity = read_truth(files.disparity, size);
-  truth.reverse = read_truth(files.reverse, size, true);
-  truth.objects = read_mask_of(files.objects, size);
-  truth.non_occluded = read_mask_of(files.non_occluded, size);
+  std::vector<std::string>& warnings = truth.warnings;
+  truth.disparity = read_truth(files.disparity, size, warnings);
+  truth.reverse = read_truth(files.reverse, size, warnings, true);
+  truth.objects = read_mask_of(files.objects, MaskUse::objects, size, warnings);
+  truth.non_occluded = read_mask_of(files.non_occluded, MaskUse::judged, size, warnings);
   if (!truth.non_occluded.empty() || truth.disparity.empty()) return truth;
-  const cv::Mat1f visible = read_truth(files.visible, size);
+  const cv::Mat1f visible = read_truth(files.visible, size, warnings);
   if (!visible.empty()) {
     truth.non_occluded = mask_of_visible(truth.disparity, visible);
   } else if (!truth.reverse.empty()) {

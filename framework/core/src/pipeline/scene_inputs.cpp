@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "base/stopwatch.hpp"
+#include "io/warnings.hpp"
 #include "xgm/base/error.hpp"
 
 namespace xgm {
@@ -90,7 +91,7 @@ std::string text_of(Interval interval) {
 
 DisparityRange read_range(const RangeMapFiles& files, Scene& scene) {
   const cv::Size size = scene.pair.size();
-  DisparityRange range = read_range_maps(files.min, files.max);
+  DisparityRange range = take(read_range_maps(files.min, files.max, files.no_data), scene.warnings);
   if (range.size() != size) {
     throw Error(files.min + ": is " + std::to_string(range.size().width) + " x " +
                 std::to_string(range.size().height) + " pixels but the images are " +
@@ -122,9 +123,11 @@ DisparityRange make_range(const Search& search, Scene& scene) {
   return DisparityRange::uniform(size, possible);
 }
 
-void read_truth(const TruthFiles& files, Scene& scene) {
+void read_truth(const TruthFiles& files, SceneInputs& inputs) {
+  Scene& scene = inputs.scene;
   GroundTruth truth = load_truth(files, scene.pair.size());
   if (truth.disparity.empty()) return;
+  append(inputs.warnings, truth.warnings);  // also of a truth that turns out to be of no use
   require_judgeable(truth);
   scene.truth = std::move(truth);
   for (InputFile& file : identify_truth(files)) scene.inputs.push_back(std::move(file));
@@ -133,7 +136,7 @@ void read_truth(const TruthFiles& files, Scene& scene) {
 /// What comes with the scene is a help, no wish of the user: if it is of no use, the run goes on.
 void read_truth_of_scene(const SceneFiles& files, SceneInputs& inputs) {
   try {
-    read_truth(files.truth, inputs.scene);
+    read_truth(files.truth, inputs);
   } catch (const Error& error) {
     inputs.warnings.push_back("the scene's truth is not used: " + error.message());
   }
@@ -163,8 +166,9 @@ SceneInputs read_scene(const SceneRequest& request, const Pipeline& pipeline) {
   DisparityRange range =
       request.range_maps ? read_range(*request.range_maps, scene) : make_range(search, scene);
   SceneInputs inputs{std::move(scene), std::move(range), search.from, request.memory_limit, {}};
+  inputs.warnings = inputs.scene.warnings;
   if (request.truth) {
-    read_truth(*request.truth, inputs.scene);
+    read_truth(*request.truth, inputs);
   } else if (files != nullptr) {
     read_truth_of_scene(*files, inputs);
   }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 #include <opencv2/core.hpp>
+#include <string>
+#include <vector>
 
 namespace xgm {
 
@@ -14,6 +16,7 @@ struct GroundTruth {
   cv::Mat1f reverse{};       ///< of the right view, with the signs of a reverse map (negative)
   cv::Mat1b non_occluded{};  ///< 255 where a left pixel is also visible in the right image
   cv::Mat1b objects{};       ///< nonzero on moving objects (KITTI's foreground)
+  std::vector<std::string> warnings{};  ///< what is doubtful in the files
 };
 
 /// The benchmarks' value for "judge this pixel" in masks.

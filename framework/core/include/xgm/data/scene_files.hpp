@@ -11,12 +11,14 @@
 
 namespace xgm {
 
-/// Files of a pair. Masks may be left empty.
+/// Files of a pair. Masks may be left empty. `no_data`, here and below, are values as stored that
+/// mean "no data", beside those that the files themselves name (GDAL_NODATA).
 struct PairFiles {
   std::string left{};
   std::string right{};
   std::string left_mask{};  ///< nonzero where the left image may be used
   std::string right_mask{};
+  std::vector<double> no_data{};  ///< of the images
 };
 
 /// Disparities in a file: PFM (px, not finite = none), or an 8- or 16-bit image (0 = none). A
@@ -26,6 +28,7 @@ struct PairFiles {
 struct DisparityFile {
   std::string file{};  ///< empty if there is none
   double divisor = 1;
+  std::vector<double> no_data{};
 };
 
 /// Files of the ground truth of a scene. Each may be missing (empty).

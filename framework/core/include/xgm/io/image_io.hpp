@@ -13,9 +13,17 @@
 
 namespace xgm {
 
+/// What a file holds, and what is doubtful in it: one sentence each, which names the file.
+template <class What>
+struct Noted {
+  What value;
+  std::vector<std::string> warnings;
+};
+
 struct ReadPair {
   ImagePair pair;
-  std::vector<std::string> notes;  ///< how values were converted, for the log
+  std::vector<std::string> notes;     ///< how values were converted, for the log
+  std::vector<std::string> warnings;  ///< what is doubtful in the files
 };
 
 /// Reads all formats of OpenCV (PNG, JPEG, TIFF, PGM, PPM, BMP, ...) and PFM. Both images are
@@ -29,27 +37,41 @@ struct ReadPair {
 /// 255]
 ///   are unchanged; otherwise the smallest becomes 0 and the largest 255. NaN and infinite pixels
 ///   have no data.
-/// Pixels without data (masked, or not finite) do not influence the scale; their value is 0. Alpha
-/// 0 masks a pixel, unless alpha is 0 everywhere. If only one image is in colour, both become grey;
-/// palettes are resolved. The orientation recorded by a camera is ignored.
-/// Throws Error, naming the file and the remedy, if a file is missing, empty, not an image or has
-/// an unsupported number of channels, and if the images differ in size or depth.
+/// Pixels without data (masked, not finite, or with a value that means no data:
+/// docs/conventions.md) do not influence the scale; their value is 0. Alpha 0 masks a pixel, unless
+/// alpha is 0 everywhere. If only one image is in colour, both become grey; palettes are resolved.
+/// The orientation recorded by a camera is ignored. Throws Error, naming the file and the remedy,
+/// if a file is missing, empty, cut short, longer than its header says, not an image or has an
+/// unsupported number of channels, and if the images differ in size or depth.
 XGM_API ReadPair read_pair(const PairFiles& files);
 
 /// Reads disparities: PFM or another float image (px, not finite = none), or an image of whole
-/// numbers (PNG, PGM, ...) whose value / divisor is the disparity in pixels, 0 = none. The result
+/// numbers (PNG, PGM, ...) whose value / divisor is the disparity in pixels, 0 = none. Values as
+/// stored that equal one of `no_data`, or the file's tag GDAL_NODATA, mean none, too. The result
 /// is NaN where there is no disparity. A reverse map that is stored as positive numbers needs a
 /// negative divisor. Throws Error, naming the file and the remedy; also for pictures of
 /// disparities, that is for colour images whose channels differ, and for whole numbers without a
 /// divisor.
-XGM_API cv::Mat1f read_disparities(const std::string& file, std::optional<double> divisor = {});
+XGM_API Noted<cv::Mat1f> read_disparities(const std::string& file,
+                                          std::optional<double> divisor = {},
+                                          const std::vector<double>& no_data = {});
 
 /// A map from such a file: pixels with a disparity are `matched`, the others `out_of_range`.
-XGM_API DisparityMap read_map(const std::string& file, std::optional<double> divisor = {});
+XGM_API Noted<DisparityMap> read_map(const std::string& file, std::optional<double> divisor = {},
+                                     const std::vector<double>& no_data = {});
 
-/// Reads a mask; of several channels, takes the maximum. 8-bit values are unchanged (benchmarks
-/// distinguish 128 and 255); nonzero values of other depths become 255. Throws Error.
-XGM_API cv::Mat1b read_mask(const std::string& file);
+/// What the values of a mask say.
+enum class MaskUse {
+  usable,  ///< of an image: not 0 where a pixel may be used
+  judged,  ///< of a truth: 255 where maps are judged, 128 where they are not, 0 where it is unknown
+  objects  ///< of a truth: not 0 on objects, often with a number for each
+};
+
+/// Reads a mask; of several channels, takes the maximum. 8-bit values are unchanged; nonzero values
+/// of other depths become 255, and so does 1 in a mask of zeros and ones. 0 where the file has no
+/// data (alpha 0, NaN, GDAL_NODATA). Warns of values that the use does not know, and says how they
+/// are understood. Throws Error.
+XGM_API Noted<cv::Mat1b> read_mask(const std::string& file, MaskUse use);
 
 /// Write an 8- or 16-bit PNG, grey or blue-green-red. The file is complete or absent. Throw Error.
 XGM_API void write_png(const std::string& file, const cv::Mat1b& image);

@@ -30,8 +30,9 @@ struct Scene {
   std::optional<Interval> disparities{};  ///< to be searched, if it is known
   std::optional<Calibration> calibration{};
   GroundTruth truth{};
-  std::vector<InputFile> inputs{};   ///< files that were read
-  std::vector<std::string> notes{};  ///< what a reader should know about the images
+  std::vector<InputFile> inputs{};      ///< files that were read
+  std::vector<std::string> notes{};     ///< what a reader should know about the images
+  std::vector<std::string> warnings{};  ///< what is doubtful in the files
 };
 
 /// The scenes in `folder`, sorted by name. Opens no image. The data set is
@@ -72,10 +73,12 @@ XGM_API std::vector<InputFile> identify_truth(const TruthFiles& files);
 /// `reverse` has the signs of a reverse map.
 XGM_API cv::Mat1b cross_check(const cv::Mat1f& disparity, const cv::Mat1f& reverse);
 
-/// Ranges [floor(min), ceil(max) + 1) from two PFM files of one size, in pixels. The range of a
-/// pixel is empty if either value is not finite, or if min is above max. Throws Error, also if all
-/// ranges are empty.
-XGM_API DisparityRange read_range_maps(const std::string& min_file, const std::string& max_file);
+/// Ranges [floor(min), ceil(max) + 1) from two float images (PFM, TIFF) of one size, in pixels. The
+/// range of a pixel is empty if either value is not finite or means no data (read_disparities), or
+/// if min is above max. Throws Error, also if all ranges are empty.
+XGM_API Noted<DisparityRange> read_range_maps(const std::string& min_file,
+                                              const std::string& max_file,
+                                              const std::vector<double>& no_data = {});
 
 /// The part of `interval` that is possible in an image `width` pixels wide: |d| < width.
 XGM_API Interval clip_to_width(Interval interval, int width);

@@ -18,6 +18,7 @@ namespace xgm {
 struct RangeMapFiles {
   std::string min{};
   std::string max{};
+  std::vector<double> no_data{};  ///< values as stored that give no range
 };
 
 struct SceneRequest {
@@ -38,7 +39,7 @@ struct SceneInputs {
   DisparityRange range;                ///< what lies beyond the images' width is cut off
   std::string disparities_from;        ///< where the range comes from, for people
   std::optional<double> memory_limit;  ///< the request's
-  std::vector<std::string> warnings;   ///< beside scene.notes
+  std::vector<std::string> warnings;   ///< of all files
   double reading_seconds = 0;
 };
 
