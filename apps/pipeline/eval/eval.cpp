@@ -10,6 +10,7 @@
 #include "terminal/console.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/evaluation/run_record.hpp"
+#include "xgm/evaluation/truth_doubts.hpp"
 #include "xgm/io/file.hpp"
 #include "xgm/io/image_io.hpp"
 
@@ -122,6 +123,7 @@ EvaluationReport judge(const EvalOptions& options) {
   report.inputs = identify(options, files);
   return report;
 }
+  for (const std::string& doubt : truth_doubts(map, truth.disparity, {})) log_warning(doubt);
 
 void write(const std::string& file, const std::string& text) {
   if (file == kStandardOutput) {
