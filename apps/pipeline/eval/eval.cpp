@@ -11,6 +11,7 @@
 #include "terminal/console.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/evaluation/run_record.hpp"
+#include "xgm/evaluation/truth_doubts.hpp"
 #include "xgm/io/file.hpp"
 #include "xgm/io/image_io.hpp"
 
@@ -68,7 +69,7 @@ void warn_of_other_images(const EvalOptions& options, const SceneFiles& scene) {
     const std::string file = used.role == "left"    ? scene.images.left
                              : used.role == "right" ? scene.images.right
                                                     : "";
-    if (file.empty() || !fs::is_regular_file(file)) continue;
+    if (file.empty() || !why_unreadable(file).empty()) continue;
     const FileIdentity identity = identify_file(file);
     if (identity.bytes == used.identity.bytes && identity.fnv1a64 == used.identity.fnv1a64) {
       continue;
@@ -128,6 +129,8 @@ EvaluationReport judge(const EvalOptions& options) {
       parse_clip(options.clip, files.scene ? files.scene->disparities : std::nullopt);
   const DisparityMap map =
       warned(read_map(files.map, options.divisor, parse_no_data(options.no_data, "--nodata")));
+  const bool is_clipped_by_scene = files.scene && options.clip == kNdisp;
+  if (is_clipped_by_scene) require_disparities_of_size(*files.scene, map.size());
   const GroundTruth truth = read_truth(options, files, map.size());
   report.size = map.size();
   report.regions = evaluate_regions(map, truth, report.rules);
@@ -136,6 +139,7 @@ EvaluationReport judge(const EvalOptions& options) {
         map, truth, warned(read_disparities(files.confidence)), report.rules);
   }
   report.inputs = identify(options, files);
+  for (const std::string& doubt : truth_doubts(map, truth.disparity, {})) log_warning(doubt);
   return report;
 }
 

@@ -6,6 +6,8 @@
 #include <sstream>
 #include <type_traits>
 
+#include "config/meant_number.hpp"
+#include "xgm/base/file_names.hpp"
 #include "xgm/base/scalar.hpp"
 #include "xgm/base/suggest.hpp"
 
@@ -98,7 +100,23 @@ class ValueReader {
   bool wrong_type(const Node& node) const {
     return diagnose(node,
                     "'" + field_.name + "' must be " + expected(field_) + ", not " + spell(node),
-                    node.quoted ? "remove the quotes if a number is meant" : "change the value");
+                    remedy_for(node));
+  }
+  /// What to write instead, if the value is one in another spelling.
+  std::string remedy_for(const Node& node) const {
+    if (node.quoted) return "remove the quotes if a number is meant";
+    const std::string word = lower_case(node.scalar);
+    if (std::holds_alternative<bool*>(field_.target)) {
+      if (word == "yes" || word == "on" || word == "1") return "write true";
+      if (word == "no" || word == "off" || word == "0") return "write false";
+    } else if (const auto meant = meant_number(word); meant && is_possible(*meant)) {
+      return "write " + number(*meant);
+    }
+    return "change the value";
+  }
+  bool is_possible(double value) const {
+    const bool is_whole = std::holds_alternative<int*>(field_.target);
+    return in_range(field_, value) && (!is_whole || value == std::floor(value));
   }
   bool diagnose(const Node& node, std::string message, std::string remedy) const {
     add_diagnostic(diagnostics_, node.where, std::move(message), std::move(remedy));

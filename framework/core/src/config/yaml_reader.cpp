@@ -4,10 +4,14 @@
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <map>
 #include <sstream>
 
+#include "config/merge_keys.hpp"
 #include "config/node.hpp"
+#include "config/syntax_faults.hpp"
+#include "config/utf8.hpp"
 
 namespace xgm {
 namespace {
@@ -27,14 +31,19 @@ class Builder final : public YAML::EventHandler {
   explicit Builder(std::string file) : file_(std::move(file)) {}
 
   std::optional<Node> result() { return std::move(result_); }
+  YAML::Mark begin() const { return begin_; }
 
-  void OnDocumentStart(const YAML::Mark&) override {}
+  void OnDocumentStart(const YAML::Mark& mark) override { begin_ = mark; }
   void OnDocumentEnd() override {}
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     add(make(Node::Kind::null, mark), mark, anchor);
   }
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                 const std::string& value) override {
+    require_no_tag(mark, tag);
+    if (!is_utf8(value)) {
+      throw Fault{mark, quote(value) + " is not in UTF-8", "save the file as UTF-8"};
+    }
     Node node = make(Node::Kind::scalar, mark);
     node.scalar = value;
     node.quoted = tag == "!";
@@ -51,23 +60,38 @@ class Builder final : public YAML::EventHandler {
     nodes_ += count(known->second);
     add(known->second, mark, 0);
   }
-  void OnSequenceStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor,
+  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                        YAML::EmitterStyle::value) override {
-    open(make(Node::Kind::list, mark), anchor);
+    require_no_tag(mark, tag);
+    open(make(Node::Kind::list, mark), mark, anchor);
   }
   void OnSequenceEnd() override { close(); }
-  void OnMapStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor,
+  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                   YAML::EmitterStyle::value) override {
-    open(make(Node::Kind::map, mark), anchor);
+    require_no_tag(mark, tag);
+    open(make(Node::Kind::map, mark), mark, anchor);
   }
-  void OnMapEnd() override { close(); }
+  void OnMapEnd() override {
+    for (const Node& merged : open_.back().merged) merge(open_.back().node, merged);
+    close();
+  }
 
  private:
   struct Open {
     Node node;
+    YAML::Mark begin;
     YAML::anchor_t anchor;
-    std::optional<Entry> entry;  // of a map: the key read, whose value comes next
+    std::optional<Entry> entry{};  // of a map: the key read, whose value comes next
+    YAML::Mark key{};              // where it stands
+    bool is_merge = false;         // whether it is the merge key
+    std::vector<Node> merged{};    // maps whose entries stand in for those that this one lacks
   };
+
+  static void require_no_tag(const YAML::Mark& mark, const std::string& tag) {
+    const bool is_plain = tag.empty() || tag == "?" || tag == "!";
+    if (is_plain || tag.starts_with("tag:yaml.org,2002:")) return;
+    throw Fault{mark, "the tag " + quote(tag) + " has no meaning here", "write the value itself"};
+  }
 
   Node make(Node::Kind kind, const YAML::Mark& mark) const {
     Node node;
@@ -83,17 +107,17 @@ class Builder final : public YAML::EventHandler {
     return nodes;
   }
 
-  void open(Node node, YAML::anchor_t anchor) {
+  void open(Node node, const YAML::Mark& mark, YAML::anchor_t anchor) {
     if (open_.size() >= kDeepest) {
-      throw Fault{{}, "nested too deeply", "a pipeline needs a few levels only"};
+      throw Fault{mark, "nested too deeply", "a pipeline needs a few levels only"};
     }
-    open_.push_back({std::move(node), anchor, std::nullopt});
+    open_.push_back({std::move(node), mark, anchor});
   }
 
   void close() {
     Open done = std::move(open_.back());
     open_.pop_back();
-    add(std::move(done.node), {}, done.anchor);
+    add(std::move(done.node), done.begin, done.anchor);
   }
 
   // Puts a finished node where it belongs: into the innermost open list or map, or as the result.
@@ -114,10 +138,29 @@ class Builder final : public YAML::EventHandler {
         throw Fault{mark, "a key must be a plain word, not " + spell(node), "write 'key: value'"};
       }
       parent.entry = Entry{node.scalar, node.where, {}};
+      parent.key = mark;
+      parent.is_merge = node.scalar == kMergeKey && !node.quoted;
     } else {
       parent.entry->value = std::move(node);
-      parent.node.entries.push_back(std::move(*parent.entry));
-      parent.entry.reset();
+      finish_entry(parent);
+    }
+  }
+
+  /// An entry whose value is there.
+  static void finish_entry(Open& map) {
+    Entry entry = std::move(*map.entry);
+    map.entry.reset();
+    if (!map.is_merge) {
+      map.node.entries.push_back(std::move(entry));
+      return;
+    }
+    if (!map.merged.empty()) {
+      throw Fault{map.key, "key '<<' appears twice", "write one: '<<: [*FIRST, *SECOND]'"};
+    }
+    map.merged = maps_to_merge(std::move(entry.value));
+    if (map.merged.empty()) {
+      throw Fault{map.key, "'<<' merges maps, and this is none",
+                  "write '<<: *NAME', or '<<: [*FIRST, *SECOND]', where &NAME marks a map"};
     }
   }
 
@@ -125,24 +168,31 @@ class Builder final : public YAML::EventHandler {
   std::vector<Open> open_;
   std::map<YAML::anchor_t, Node> anchors_;
   std::optional<Node> result_;
+  YAML::Mark begin_;
   std::size_t nodes_ = 0;
 };
 
+/// Old systems end lines with CR alone.
+std::string with_line_ends(std::string text) {
+  if (text.find('\n') == std::string::npos) std::replace(text.begin(), text.end(), '\r', '\n');
+  return text;
+}
+
 std::optional<Node> parse(const std::string& text, const std::string& name) {
   if (text.size() > kMaxYamlBytes) {
-    throw Fault{{}, "larger than 16 MB", "is this a pipeline file?"};
+    throw Fault{YAML::Mark::null_mark(), "larger than 16 MB", "is this a pipeline file?"};
   }
   if (text.find('\0') != std::string::npos) {
-    throw Fault{{}, "holds zero bytes", "a pipeline is a text file in UTF-8"};
+    throw Fault{YAML::Mark::null_mark(), "holds zero bytes, as UTF-16 does", "save it as UTF-8"};
   }
-  std::istringstream stream(text);
+  std::istringstream stream(with_line_ends(text));
   YAML::Parser parser(stream);
   Builder builder(name);
   if (!parser.HandleNextDocument(builder)) return Node{};
   std::optional<Node> document = builder.result();
   Builder rest(name);
   if (parser.HandleNextDocument(rest)) {
-    throw Fault{{}, "holds more than one document", "remove the second '---' and what follows"};
+    throw Fault{rest.begin(), "holds more than one document", "remove this '---' and what follows"};
   }
   return document;
 }
@@ -157,12 +207,9 @@ std::optional<Node> read_yaml(const std::string& text, const std::string& name,
   try {
     return parse(text, name);
   } catch (const Fault& fault) {
-    const bool placed = fault.mark.line > 0 || fault.mark.column > 0;
-    add_diagnostic(diagnostics, placed ? locate(fault.mark) : Location{name}, fault.message,
-                   fault.remedy);
+    add_diagnostic(diagnostics, locate(fault.mark), fault.message, fault.remedy);
   } catch (const YAML::Exception& error) {
-    add_diagnostic(diagnostics, locate(error.mark), "not valid YAML: " + error.msg,
-                   "look at the indentation and at brackets and quotes left open");
+    diagnostics.push_back(explain_syntax(text, locate(error.mark), error.msg));
   }
   return std::nullopt;
 }

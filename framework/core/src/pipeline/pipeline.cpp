@@ -104,6 +104,10 @@ struct PipelineLoader {
     std::stable_sort(diagnostics.begin(), diagnostics.end(), [](const auto& a, const auto& b) {
       return std::pair(a.where.line, a.where.column) < std::pair(b.where.line, b.where.column);
     });
+    // What is repeated by an alias has its faults once.
+    const auto is_same = [](const auto& a, const auto& b) { return to_string(a) == to_string(b); };
+    diagnostics.erase(std::unique(diagnostics.begin(), diagnostics.end(), is_same),
+                      diagnostics.end());
     result.diagnostics = std::move(diagnostics);
     return result;
   }

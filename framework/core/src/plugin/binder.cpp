@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "config/fields.hpp"
+#include "xgm/base/scalar.hpp"
 #include "xgm/base/suggest.hpp"
 #include "xgm/stage/pipeline.hpp"
 
@@ -125,8 +126,12 @@ void Binder::check_keys(const Node& map, const ParameterSet& set, const std::str
           "keep one of them (the first stands in line " + std::to_string(first->where.line) + ")");
     } else if (!skip.contains(entry.key) &&
                std::find(known.begin(), known.end(), entry.key) == known.end()) {
-      diagnose(entry.where, owner + " has no parameter " + quote(entry.key),
-               known.empty() ? "it has none" : suggest(entry.key, known, "parameters"));
+      const bool is_number = entry.value.is_null() && to_number<double>(entry.key);
+      const std::string remedy =
+          known.empty() ? "it has none" : suggest(entry.key, known, "parameters");
+      diagnose(
+          entry.where, owner + " has no parameter " + quote(entry.key),
+          is_number ? "the comma before it ends a value; write decimals with a point" : remedy);
     }
   }
 }

@@ -12,7 +12,9 @@ template <class Number>
 std::optional<Number> to_number(const std::string& text) {
   const char* first = text.data();
   const char* last = first + text.size();
-  if (first != last && *first == '+') ++first;
+  const bool has_plus = first != last && *first == '+';
+  if (has_plus) ++first;
+  if (has_plus && first != last && *first == '-') return std::nullopt;
   Number value{};
   const auto [end, error] = std::from_chars(first, last, value);
   if (error != std::errc() || end != last || first == last) return std::nullopt;
@@ -20,8 +22,8 @@ std::optional<Number> to_number(const std::string& text) {
 }
 
 inline std::optional<bool> to_bool(const std::string& text) {
-  if (text == "true" || text == "True") return true;
-  if (text == "false" || text == "False") return false;
+  if (text == "true" || text == "True" || text == "TRUE") return true;
+  if (text == "false" || text == "False" || text == "FALSE") return false;
   return std::nullopt;
 }
 
