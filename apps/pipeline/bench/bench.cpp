@@ -10,6 +10,7 @@
 #include <iostream>
 #include <memory>
 
+#include "bench/bench_files.hpp"
 #include "bench/bench_options.hpp"
 #include "commands.hpp"
 #include "options/values.hpp"
@@ -18,7 +19,6 @@
 #include "xgm/base/parallel.hpp"
 #include "xgm/evaluation/bench_process.hpp"
 #include "xgm/evaluation/bench_submission.hpp"
-#include "xgm/evaluation/bench_tables.hpp"
 #include "xgm/io/file.hpp"
 #include "xgm/io/output_folder.hpp"
 #include "xgm/pipeline/lookup.hpp"
@@ -26,7 +26,6 @@
 namespace xgm::cli {
 namespace {
 
-constexpr int kSignalled = 128;  // shells add the signal's number
 // Also after it has been built anew, this is what runs.
 constexpr const char* kThisProgram = "/proc/self/exe";
 
@@ -85,15 +84,6 @@ void require_bounds_to_clip_to(const BenchRequest& request) {
   }
 }
 
-std::vector<std::string> plugin_files(const Registry& registry) {
-  std::vector<std::string> files;
-  for (const PluginInfo* plugin : registry.plugins()) {
-    const bool known = std::find(files.begin(), files.end(), plugin->origin) != files.end();
-    if (!plugin->origin.empty() && !known) files.push_back(plugin->origin);
-  }
-  return files;
-}
-
 std::optional<BenchRequest> make_request(const BenchOptions& options) {
   const Registry registry = make_registry(options.plugins);
   auto pipelines = load_pipelines(options, registry);
@@ -107,6 +97,7 @@ std::optional<BenchRequest> make_request(const BenchOptions& options) {
   require_disparities(request);
   if (options.rules.clip) require_bounds_to_clip_to(request);
   if (!options.submit.empty()) check_submission(request, options.submit, options.method);
+  require_inputs_kept(options, request, registry);
   identify_images(request.scenes);
   return request;
 }
@@ -157,15 +148,11 @@ void write_tables(const BenchResult& result, Progress& progress) {
   std::cout << bench_text(result) << std::flush;
   progress.begin("writing the tables");
   std::string written = "written:";
-  const auto write = [&](const char* name, const std::string& text) {
-    const std::string file = (folder / name).string();
-    write_file(file, text);
+  for (const BenchTable& table : kBenchTables) {
+    const std::string file = (folder / table.file).string();
+    write_file(file, table.text(result));
     written += ' ' + file;
-  };
-  write("bench.md", bench_markdown(result));
-  write("bench.csv", bench_csv(result));
-  write("bench.json", bench_json(result));
-  write("bench.html", bench_html(result));
+  }
   progress.end();
   std::cout << written << std::endl;
 }
@@ -187,7 +174,7 @@ int run_planned(const BenchOptions& options, const BenchRequest& request, const 
       .run =
           [&](const BenchPipeline& pipeline, const BenchScene& scene, const std::string& folder) {
             return run_program(kThisProgram, run_words(options, request, pipeline, scene, folder),
-                               (std::filesystem::path(folder) / "log.txt").string());
+                               (std::filesystem::path(folder) / kCellLog).string());
           },
       .tell = [&](const BenchProgress& at) { tell(at, progress); }};
   progress.begin("looking for what is done already");

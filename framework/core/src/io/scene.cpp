@@ -27,13 +27,7 @@ Scene load_scene(const SceneFiles& files) {
   scene.notes = std::move(read.notes);
   note_masked_share(scene.pair.base, "left", scene.notes);
   note_masked_share(scene.pair.match, "right", scene.notes);
-  for (const auto& [role, file] : {std::pair{"left", files.images.left},
-                                   {"right", files.images.right},
-                                   {"left mask", files.images.left_mask},
-                                   {"right mask", files.images.right_mask},
-                                   {"calibration", files.calibration_file}}) {
-    if (!file.empty()) scene.inputs.push_back({role, file, identify_file(file)});
-  }
+  scene.inputs = identify_files(files_of(files));
   return scene;
 }
 
