@@ -2,6 +2,7 @@
 // The command line: every subcommand has a file of its own.
 #include <malloc.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <iostream>
 #include <new>
@@ -36,6 +37,7 @@ void keep_freed_memory() {
 
 int main(int argc, char** argv) {
   keep_freed_memory();
+  std::signal(SIGXFSZ, SIG_IGN);  // a file larger than allowed is an error of its writing
   set_up_logging("info");
   // What OpenCV has to say of unreadable files is said better by the errors of xgm.
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);

@@ -10,9 +10,9 @@
 #include "apps/program.hpp"
 #include "support/support.hpp"
 #include "support/temporary_folder.hpp"
-#include "xgm/evaluation/bench_process.hpp"
 #include "xgm/io/file.hpp"
 #include "xgm/io/image_io.hpp"
+#include "xgm/io/output_folder.hpp"
 #include "xgm/io/outputs.hpp"
 #include "xgm/io/pfm.hpp"
 
@@ -187,7 +187,8 @@ TEST_CASE("two benches do not work in one folder at once") {
   fs::create_directories(desk / "xgm_bench");
   {
     const FolderLock other(desk / "xgm_bench");
-    check_usage(desk.both(), "another bench works in xgm_bench; wait for it or give another");
+    check_usage(desk.both(),
+                "another run or bench writes to xgm_bench; wait for it, or give another");
   }
   CHECK(desk.both().exit_code == 0);
 }

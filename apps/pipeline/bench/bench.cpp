@@ -10,6 +10,7 @@
 #include <iostream>
 #include <memory>
 
+#include "bench/bench_files.hpp"
 #include "bench/bench_options.hpp"
 #include "commands.hpp"
 #include "options/values.hpp"
@@ -18,7 +19,6 @@
 #include "xgm/base/parallel.hpp"
 #include "xgm/evaluation/bench_process.hpp"
 #include "xgm/evaluation/bench_submission.hpp"
-#include "xgm/evaluation/bench_tables.hpp"
 #include "xgm/io/file.hpp"
 #include "xgm/io/output_folder.hpp"
 #include "xgm/pipeline/lookup.hpp"
@@ -26,7 +26,6 @@
 namespace xgm::cli {
 namespace {
 
-constexpr int kSignalled = 128;  // shells add the signal's number
 // Also after it has been built anew, this is what runs.
 constexpr const char* kThisProgram = "/proc/self/exe";
 
@@ -65,13 +64,6 @@ std::optional<std::vector<BenchPipeline>> load_pipelines(const BenchOptions& opt
   return pipelines;
 }
 
-std::vector<std::string> plugin_files(const Registry& registry) {
-  std::vector<std::string> files;
-  for (const PluginInfo* plugin : registry.plugins()) {
-    const bool known = std::find(files.begin(), files.end(), plugin->origin) != files.end();
-    if (!plugin->origin.empty() && !known) files.push_back(plugin->origin);
-  }
-  return files;
 }
 
 std::optional<BenchRequest> make_request(const BenchOptions& options) {
@@ -86,6 +78,7 @@ std::optional<BenchRequest> make_request(const BenchOptions& options) {
       .threads = options.threads > 0 ? options.threads : thread_count()};
   check_bench(request, options.rules);
   if (!options.submit.empty()) check_submission(request, options.submit, options.method);
+  require_inputs_kept(options, request, registry);
   identify_images(request.scenes);
   return request;
 }
@@ -136,15 +129,11 @@ void write_tables(const BenchResult& result, Progress& progress) {
   std::cout << bench_text(result) << std::flush;
   progress.begin("writing the tables");
   std::string written = "written:";
-  const auto write = [&](const char* name, const std::string& text) {
-    const std::string file = (folder / name).string();
-    write_file(file, text);
+  for (const BenchTable& table : kBenchTables) {
+    const std::string file = (folder / table.file).string();
+    write_file(file, table.text(result));
     written += ' ' + file;
-  };
-  write("bench.md", bench_markdown(result));
-  write("bench.csv", bench_csv(result));
-  write("bench.json", bench_json(result));
-  write("bench.html", bench_html(result));
+  }
   progress.end();
   std::cout << written << std::endl;
 }
@@ -166,7 +155,7 @@ int run_planned(const BenchOptions& options, const BenchRequest& request, const 
       .run =
           [&](const BenchPipeline& pipeline, const BenchScene& scene, const std::string& folder) {
             return run_program(kThisProgram, run_words(options, request, pipeline, scene, folder),
-                               (std::filesystem::path(folder) / "log.txt").string());
+                               (std::filesystem::path(folder) / kCellLog).string());
           },
       .tell = [&](const BenchProgress& at) { tell(at, progress); }};
   progress.begin("looking for what is done already");

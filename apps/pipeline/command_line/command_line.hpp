@@ -12,8 +12,9 @@
 namespace xgm::cli {
 
 inline constexpr int kOk = 0;
-inline constexpr int kFailed = 1;  ///< the run failed, or its map is empty
-inline constexpr int kUsage = 2;   ///< usage or configuration; no image has been opened
+inline constexpr int kFailed = 1;       ///< the run failed, or its map is empty
+inline constexpr int kUsage = 2;        ///< usage or configuration; no image has been opened
+inline constexpr int kSignalled = 128;  ///< the signal's number is added, as shells do
 
 class CommandLine {
  public:

@@ -7,6 +7,8 @@
 #include "commands.hpp"
 #include "eval/eval_options.hpp"
 #include "eval/eval_table.hpp"
+#include "options/output_files.hpp"
+#include "options/scene_request.hpp"
 #include "options/values.hpp"
 #include "terminal/console.hpp"
 #include "xgm/base/error.hpp"
@@ -19,17 +21,16 @@ namespace xgm::cli {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char* kStandardOutput = "-";
-
 /// The files that are compared, before any is opened.
 struct Comparison {
   std::string map;
   std::string confidence;  ///< "" = none
   std::optional<SceneFiles> scene;
+  std::vector<NamedFile> read_for_scene;  ///< beside its own files
 };
 
 Comparison find_files(const EvalOptions& options) {
-  Comparison files{options.map, options.confidence, {}};
+  Comparison files{options.map, options.confidence, {}, {}};
   if (fs::is_directory(options.map)) {
     const fs::path folder = options.map;
     files.map = (folder / "disparity.pfm").string();
@@ -50,8 +51,9 @@ Comparison find_files(const EvalOptions& options) {
     throw UsageError(options.scene + ": a scene is a folder; give ground truth as --truth FILE");
   }
   if (!options.scene.empty()) {
-    files.scene = find_scene(options.scene, make_registry(options.plugins), options.scene_name,
-                             options.dataset);
+    const Registry registry = make_registry(options.plugins);
+    files.scene = find_scene(options.scene, registry, options.scene_name, options.dataset);
+    files.read_for_scene = files_beside_scene(registry, options.scene, options.dataset);
     if (files.scene->truth.disparity.file.empty()) {
       throw UsageError(
           options.scene +
@@ -103,27 +105,33 @@ GroundTruth read_truth(const EvalOptions& options, const Comparison& files, cv::
   return truth;
 }
 
-std::vector<InputFile> identify(const EvalOptions& options, const Comparison& files) {
-  std::vector<InputFile> inputs{{"map", files.map, identify_file(files.map)}};
-  TruthFiles truth;
-  if (files.scene) {
-    truth = files.scene->truth;
-  } else {
-    truth.disparity.file = options.truth;
-    truth.non_occluded = options.mask;
-    truth.objects = options.objects;
-  }
-  for (const InputFile& input : identify_truth(truth)) inputs.push_back(input);
-  if (!files.confidence.empty()) {
-    inputs.push_back({"confidence", files.confidence, identify_file(files.confidence)});
-  }
+/// The files that are compared, and their roles.
+std::vector<NamedFile> compared(const EvalOptions& options, const Comparison& files) {
+  std::vector<NamedFile> inputs{{"map", files.map}};
+  const TruthFiles truth = files.scene ? files.scene->truth
+                                       : TruthFiles{.disparity = {options.truth},
+                                                    .non_occluded = options.mask,
+                                                    .objects = options.objects};
+  for (NamedFile& input : files_of(truth)) inputs.push_back(std::move(input));
+  if (!files.confidence.empty()) inputs.push_back({"confidence", files.confidence});
   return inputs;
+}
+
+void require_outputs(const EvalOptions& options, const Comparison& files) {
+  std::vector<NamedFile> inputs = compared(options, files);
+  inputs.push_back({"record", (fs::path(options.map) / "run.json").string()});
+  inputs.insert(inputs.end(), files.read_for_scene.begin(), files.read_for_scene.end());
+  if (files.scene) {
+    for (NamedFile& input : files_of(*files.scene)) inputs.push_back(std::move(input));
+  }
+  require_outputs_apart(inputs, {{"--json", options.json}, {"--csv", options.csv}});
 }
 
 EvaluationReport judge(const EvalOptions& options) {
   EvaluationReport report;
   report.rules = parse_rules(options);
   const Comparison files = find_files(options);
+  require_outputs(options, files);
   if (files.scene) warn_of_other_images(options, *files.scene);
   report.rules.clip =
       parse_clip(options.clip, files.scene ? files.scene->disparities : std::nullopt);
@@ -138,17 +146,9 @@ EvaluationReport judge(const EvalOptions& options) {
     report.confidence = sparsification_by_region(
         map, truth, warned(read_disparities(files.confidence)), report.rules);
   }
-  report.inputs = identify(options, files);
+  report.inputs = identify_files(compared(options, files));
   for (const std::string& doubt : truth_doubts(map, truth.disparity, {})) log_warning(doubt);
   return report;
-}
-
-void write(const std::string& file, const std::string& text) {
-  if (file == kStandardOutput) {
-    std::cout << text;
-  } else if (!file.empty()) {
-    write_file(file, text);
-  }
 }
 
 int eval(const EvalOptions& options) {
@@ -162,8 +162,8 @@ int eval(const EvalOptions& options) {
   } catch (const Error& error) {
     throw UsageError(error.message());  // files that cannot be compared are the caller's mistake
   }
-  write(options.json, to_json(report));
-  write(options.csv, to_csv(report));
+  write_output(options.json, to_json(report));
+  write_output(options.csv, to_csv(report));
   if (!json_only && !csv_only) std::cout << table(report);
   return kOk;
 }

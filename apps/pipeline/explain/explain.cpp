@@ -5,13 +5,13 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "options/output_files.hpp"
 #include "options/pixels.hpp"
 #include "options/scene_request.hpp"
 #include "terminal/console.hpp"
 #include "terminal/observer.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/base/memory.hpp"
-#include "xgm/io/file.hpp"
 #include "xgm/pipeline/scene_run.hpp"
 #include "xgm/stage/observers.hpp"
 
@@ -23,22 +23,22 @@ struct Options : SceneOptions {
   std::string json;                ///< file, or "-" for stdout
 };
 
-/// What --json asks for, and otherwise the text.
+/// What --json asks for, and the text unless it takes its place.
 void print(const Options& options, const Explanation& explanation) {
-  if (options.json == "-") {
-    std::cout << to_json(explanation);
-    return;
-  }
-  std::cout << to_text(explanation);
-  if (!options.json.empty()) write_file(options.json, to_json(explanation));
+  if (options.json != kStandardOutput) std::cout << to_text(explanation);
+  write_output(options.json, to_json(explanation));
 }
 
 int explain_checked(const Options& options, const Pipeline& pipeline, const Registry& registry,
                     const ExplainPixels& pixels) {
+  const SceneRequest request = scene_request(options, registry);
+  const NamedFile json{"--json", options.json};
+  require_outputs_apart(files_read(options, request, {pipeline}, registry), {json});
+  require_writable_output(json);
   Progress progress;
   progress.begin("reading the images");
   limit_memory(available_memory());
-  SceneInputs inputs = read_scene(scene_request(options, registry), pipeline);
+  SceneInputs inputs = read_scene(request, pipeline);
   const auto explainer = make_explainer(pixels, inputs.scene);
   TerminalObserver terminal(progress);
   Observers observers;

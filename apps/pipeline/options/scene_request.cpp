@@ -3,6 +3,7 @@
 
 #include "options/values.hpp"
 #include "xgm/base/error.hpp"
+#include "xgm/pipeline/lookup.hpp"
 #include "xgm/synthesis/plain_scene.hpp"
 
 namespace xgm::cli {
@@ -72,6 +73,28 @@ SceneRequest scene_request(const SceneOptions& options, const Registry& registry
     request.scene = sample_scene(options);
   }
   return request;
+}
+
+std::vector<NamedFile> files_beside_scene(const Registry& registry, const std::string& scene,
+                                          const std::string& dataset) {
+  std::vector<NamedFile> files;
+  for (const std::string& file : plugin_files(registry)) files.push_back({"plugin file", file});
+  for (const LoadFailure& failure : registry.failures()) {
+    files.push_back({"plugin file", failure.file});
+  }
+  if (!scene.empty()) files.push_back({"data set", dataset_file(scene, dataset)});
+  return files;
+}
+
+std::vector<NamedFile> files_read(const SceneOptions& options, const SceneRequest& request,
+                                  const std::vector<Pipeline>& pipelines,
+                                  const Registry& registry) {
+  std::vector<NamedFile> files = files_of(request);
+  for (const Pipeline& pipeline : pipelines) files.push_back({"pipeline", pipeline.file()});
+  for (NamedFile& file : files_beside_scene(registry, options.scene, options.dataset)) {
+    files.push_back(std::move(file));
+  }
+  return files;
 }
 
 }  // namespace xgm::cli

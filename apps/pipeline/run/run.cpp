@@ -9,6 +9,7 @@
 #include "run/summary.hpp"
 #include "terminal/console.hpp"
 #include "terminal/observer.hpp"
+#include "terminal/stop_on_signal.hpp"
 #include "xgm/base/memory.hpp"
 #include "xgm/evaluation/recorded_run.hpp"
 
@@ -24,6 +25,16 @@ RecordRequest record_request(const RunCommandOptions& options) {
           .depth = {options.cloud, options.depth}};
 }
 
+int run_checked(const Pipeline& pipeline, const SceneRequest& scene, const RecordRequest& request,
+                const RunOptions& options, Progress& progress) {
+  const RecordedRun result = record_scene(pipeline, scene, request, options);
+  progress.end();
+  print_summary(result, request);
+  if (result.failure.empty()) return kOk;
+  log_error(result.failure);
+  return kFailed;
+}
+
 int run(const RunCommandOptions& options, const std::vector<std::string>& command_line) {
   set_up_logging(options.log_level);
   RecordRequest request = record_request(options);
@@ -36,14 +47,18 @@ int run(const RunCommandOptions& options, const std::vector<std::string>& comman
   request.tell = [&](const std::string& what) { progress.begin(what); };
   request.tell("reading the images");  // or making the sample pair
   const SceneRequest scene = scene_request(options, registry);
+  request.inputs = files_beside_scene(registry, options.scene, options.dataset);
   limit_memory(available_memory());
-  const RecordedRun result = record_scene(
-      *pipeline, scene, request, {.observer = &observer, .threads = use_threads(options.threads)});
-  progress.end();
-  print_summary(result, request);
-  if (result.failure.empty()) return kOk;
-  log_error(result.failure);
-  return kFailed;
+  const StopOnSignal stop;
+  try {
+    return run_checked(
+        *pipeline, scene, request,
+        {.observer = &observer, .threads = use_threads(options.threads), .stop = stop.token()},
+        progress);
+  } catch (const Cancelled&) {
+    log_warning("interrupted; nothing of this run is left in " + options.output);
+    return kSignalled + Interruptible::signal();
+  }
 }
 
 }  // namespace

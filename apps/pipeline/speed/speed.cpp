@@ -6,13 +6,12 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "options/output_files.hpp"
 #include "options/scene_request.hpp"
 #include "options/values.hpp"
 #include "terminal/observer.hpp"
 #include "xgm/base/simd.hpp"
 #include "xgm/evaluation/speed.hpp"
-#include "xgm/io/file.hpp"
-#include "xgm/io/output_folder.hpp"
 #include "xgm/pipeline/lookup.hpp"
 
 namespace xgm::cli {
@@ -63,12 +62,8 @@ std::vector<SpeedPipeline> load_pipelines(const Options& options, const Registry
 }
 
 void print(const Options& options, const SpeedResult& result) {
-  if (options.json == "-") {
-    std::cout << speed_json(result);
-    return;
-  }
-  std::cout << speed_markdown(result);
-  if (!options.json.empty()) write_file(options.json, speed_json(result));
+  if (options.json != kStandardOutput) std::cout << speed_markdown(result);
+  write_output(options.json, speed_json(result));
 }
 
 int speed(const Options& options) {
@@ -76,13 +71,15 @@ int speed(const Options& options) {
   const Registry registry = make_registry(options.plugins);
   race.pipelines = load_pipelines(options, registry);
   if (race.pipelines.empty()) return kUsage;
-  if (!options.json.empty() && options.json != "-") {
-    require_writable(std::filesystem::path(options.json).parent_path().string(), "--json ");
-  }
+  const SceneRequest scene = scene_request(options, registry);
+  std::vector<Pipeline> pipelines;
+  for (const SpeedPipeline& each : race.pipelines) pipelines.push_back(each.pipeline);
+  const NamedFile json{"--json", options.json};
+  require_outputs_apart(files_read(options, scene, pipelines, registry), {json});
+  require_writable_output(json);
   Progress progress;
   progress.begin("reading the images");
-  SceneInputs inputs =
-      read_scene(scene_request(options, registry), race.pipelines.front().pipeline);
+  SceneInputs inputs = read_scene(scene, race.pipelines.front().pipeline);
   show_notes(inputs);
   const MatchRequest request{std::move(inputs.scene.pair), inputs.range, {}};
   const SpeedResult result =

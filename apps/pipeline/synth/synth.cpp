@@ -13,6 +13,7 @@
 #include "terminal/progress.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/base/parallel.hpp"
+#include "xgm/evaluation/bench_process.hpp"
 #include "xgm/io/output_folder.hpp"
 #include "xgm/synthesis/generate.hpp"
 
@@ -81,6 +82,15 @@ std::string percent_hidden(const cv::Mat1b& non_occluded) {
   return fmt::format("{:.1f} %", 100 * (1 - seen));
 }
 
+/// A scene whose writing has begun is written to its end: nothing half done is left. Returns the
+/// signal that asked for the program's end meanwhile, 0 if there was none.
+int write_to_end(const fs::path& folder, const synthesis::GeneratedScene& scene,
+                 const synthesis::Options& wanted) {
+  const Interruptible interruptible;
+  synthesis::write_scene(folder.string(), scene, wanted);
+  return Interruptible::signal();
+}
+
 int synth(const SynthOptions& options) {
   synthesis::Options wanted = parse(options);
   prepare_folder(options);
@@ -91,7 +101,7 @@ int synth(const SynthOptions& options) {
     const fs::path folder = fs::path(options.folder) / scene_name(i + 1);
     progress.begin(fmt::format("scene {} of {}", i + 1, options.count));
     const synthesis::GeneratedScene scene = synthesis::generate(wanted);
-    synthesis::write_scene(folder.string(), scene, wanted);
+    if (const int signal = write_to_end(folder, scene, wanted)) return kSignalled + signal;
     progress.end();
     std::cout << folder.string() << ": seed " << wanted.seed << ", "
               << percent_hidden(scene.non_occluded) << " hidden in the right view" << std::endl;

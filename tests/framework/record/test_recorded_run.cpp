@@ -5,35 +5,19 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "support/support.hpp"
+#include "framework/record/noise.hpp"
 #include "support/temporary_folder.hpp"
 #include "xgm/evaluation/recorded_run.hpp"
 #include "xgm/io/pfm.hpp"
 
 using namespace xgm;
 using xgm::testing::contains;
+using xgm::testing::kNoiseSize;
+using xgm::testing::noise;
+using xgm::testing::noise_pipeline;
 using xgm::testing::TemporaryFolder;
 
 namespace {
-
-const cv::Size kSize(80, 24);
-
-Pipeline load() {
-  const LoadedPipeline loaded = load_pipeline_text(
-      "matcher: {type: semi_global, cost: census, penalty: {type: constant, p1: 3, p2: 12}, "
-      "aggregation: sgm}\n",
-      "shift.yaml", xgm::testing::builtins());
-  REQUIRE(loaded.pipeline.has_value());
-  return *loaded.pipeline;
-}
-
-SceneRequest noise(int disparity) {
-  Scene scene{.name = "noise",
-              .pair = xgm::testing::shifted_pair(kSize, disparity, 5),
-              .disparities = Interval{0, 32}};
-  scene.truth.disparity = cv::Mat1f(kSize, static_cast<float>(disparity));
-  return {.scene = scene};
-}
 
 nlohmann::json record_in(const TemporaryFolder& folder) {
   return nlohmann::json::parse(read_file(folder / "run.json"));
@@ -57,7 +41,7 @@ struct Listener : Observer {
 TEST_CASE("record_scene: map, pictures and record, for a program without an observer") {
   const TemporaryFolder folder;
   const RecordedRun result =
-      record_scene(load(), noise(9), {.folder = folder.path(), .command_line = {"mine"}});
+      record_scene(noise_pipeline(), noise(9), {.folder = folder.path(), .command_line = {"mine"}});
   CHECK(result.failure.empty());
   CHECK(result.run.maps.forward.disparity(12, 60) == 9);
   CHECK(read_pfm(folder / "disparity.pfm")(12, 60) == 9);
@@ -76,7 +60,7 @@ TEST_CASE("record_scene: report, explanations and dumps as far as they are asked
   std::vector<std::string> told;
   Listener listener;
   const RecordedRun result =
-      record_scene(load(), noise(9),
+      record_scene(noise_pipeline(), noise(9),
                    {.folder = folder.path(),
                     .dump = "*.cost",
                     .report = true,
@@ -94,8 +78,9 @@ TEST_CASE("record_scene: report, explanations and dumps as far as they are asked
 TEST_CASE("record_scene: what looks wrong is in the record, in the result, and told") {
   const TemporaryFolder folder;
   Listener listener;
-  const RecordedRun result = record_scene(
-      load(), noise(31), {.folder = folder.path(), .dump = "nothing"}, {.observer = &listener});
+  const RecordedRun result =
+      record_scene(noise_pipeline(), noise(31), {.folder = folder.path(), .dump = "nothing"},
+                   {.observer = &listener});
   REQUIRE(listener.warnings.size() >= 2);
   CHECK(contains(listener.warnings.front(), "--dump nothing: no stage has such a path"));
   CHECK(contains(listener.warnings.back(), "lie at 31, where the search range 0 to 31 ends"));
@@ -106,8 +91,8 @@ TEST_CASE("record_scene: what looks wrong is in the record, in the result, and t
 TEST_CASE("record_scene: an empty map is written, and called a failure") {
   const TemporaryFolder folder;
   SceneRequest request = noise(9);
-  std::get<Scene>(request.scene).pair.base.valid = cv::Mat1b(kSize, 0);
-  const RecordedRun result = record_scene(load(), request, {.folder = folder.path()});
+  std::get<Scene>(request.scene).pair.base.valid = cv::Mat1b(kNoiseSize, 0);
+  const RecordedRun result = record_scene(noise_pipeline(), request, {.folder = folder.path()});
   CHECK(contains(result.failure, "the map is empty"));
   CHECK(has(folder, "status.png"));
 }
@@ -117,13 +102,13 @@ TEST_CASE("record_scene: mistakes leave the folder as it was") {
   const std::string output = folder / "output";
   SceneRequest request = noise(9);
   std::get<Scene>(request.scene).disparities.reset();
-  CHECK_THROWS_AS(record_scene(load(), request, {.folder = output}), UsageError);
-  CHECK_THROWS_AS(
-      record_scene(load(), noise(9), {.folder = output, .depth = {.cloud = folder / "a.ply"}}),
-      UsageError);
+  CHECK_THROWS_AS(record_scene(noise_pipeline(), request, {.folder = output}), UsageError);
+  CHECK_THROWS_AS(record_scene(noise_pipeline(), noise(9),
+                               {.folder = output, .depth = {.cloud = folder / "a.ply"}}),
+                  UsageError);
   CHECK(folder.files() == 0);
-  CHECK_THROWS_AS(
-      record_scene(load(), noise(9), {.folder = output, .explained = {.pixels = {{80, 0}}}}),
-      UsageError);
+  CHECK_THROWS_AS(record_scene(noise_pipeline(), noise(9),
+                               {.folder = output, .explained = {.pixels = {{80, 0}}}}),
+                  UsageError);
   CHECK_FALSE(has(folder, "output/run.json"));
 }

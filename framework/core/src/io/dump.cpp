@@ -15,15 +15,25 @@
 namespace xgm {
 namespace {
 
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code failure;
+  std::filesystem::create_directories(folder, failure);
+  if (failure) throw Error(folder.string() + ": cannot be made: " + failure.message());
+}
+
 /// Writes one artifact under a stem; remembers the files.
 struct Writer {
   std::string stem;
   std::string stage_path;
   std::vector<DumpedFile>& files;
+  const std::function<void(const std::string&)>& announce;
 
   std::string name(const std::string& ending, int first_disparity = 0) const {
-    files.push_back({stem + ending, stage_path, first_disparity});
-    return stem + ending;
+    const std::string file = stem + ending;
+    announce(file);
+    make_folder(std::filesystem::path(file).parent_path());
+    files.push_back({file, stage_path, first_disparity});
+    return file;
   }
 
   void operator()(std::monostate) const {}
@@ -65,8 +75,9 @@ struct Writer {
 
 }  // namespace
 
-Dumper::Dumper(std::string folder, std::string pattern)
-    : folder_(std::move(folder)), pattern_(std::move(pattern)) {}
+Dumper::Dumper(std::string folder, std::string pattern,
+               std::function<void(const std::string&)> announce)
+    : folder_(std::move(folder)), pattern_(std::move(pattern)), announce_(std::move(announce)) {}
 
 bool Dumper::wants(const std::string& stage_path) const {
   return !pattern_.empty() &&
@@ -79,13 +90,10 @@ void Dumper::stage_end(const StagePlace& place, const StageStatistics&, const Ar
 
 void Dumper::write(const std::string& stage_path, const Artifact& result) {
   if (std::holds_alternative<std::monostate>(result)) return;
-  std::error_code failure;
-  std::filesystem::create_directories(folder_, failure);
-  if (failure) throw Error(folder_ + ": cannot be made: " + failure.message());
   const int run = ++runs_[stage_path];
   const std::string stem = (std::filesystem::path(folder_) / stage_path).string() +
                            (run > 1 ? "." + std::to_string(run) : "");
-  std::visit(Writer{stem, stage_path, files_}, result);
+  std::visit(Writer{stem, stage_path, files_, announce_}, result);
 }
 
 }  // namespace xgm

@@ -11,6 +11,7 @@
 #include <fstream>
 #include <vector>
 
+#include "io/unfinished_file.hpp"
 #include "xgm/base/error.hpp"
 
 namespace xgm {
@@ -95,28 +96,12 @@ std::string read_head(const std::string& file, std::size_t count) {
 }
 
 void write_file(const std::string& file, const std::function<void(std::ostream&)>& write) {
-  const fs::path target(file);
-  const fs::path temporary = target.parent_path() / ("." + target.filename().string() + "." +
-                                                     std::to_string(::getpid()) + ".part");
-  const auto discard = [&] {
-    std::error_code ignored;
-    fs::remove(temporary, ignored);
-  };
-  try {
-    std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);
-    if (stream) write(stream);
-    stream.close();
-    if (!stream) {
-      throw Error(file + ": cannot be written: " + std::strerror(errno) +
-                  "; check the folder, its permissions and the free space");
-    }
-    std::error_code failure;
-    fs::rename(temporary, target, failure);
-    if (failure) throw Error(file + ": cannot be written: " + failure.message());
-  } catch (...) {
-    discard();
-    throw;
-  }
+  UnfinishedFile unfinished(file);
+  std::ofstream stream(unfinished.path(), std::ios::binary | std::ios::trunc);
+  if (stream) write(stream);
+  stream.close();
+  if (!stream) throw_unwritable(file, errno);
+  unfinished.publish();
 }
 
 void write_file(const std::string& file, std::string_view bytes) {

@@ -140,10 +140,8 @@ void require_folder(const std::string& folder) {
 std::vector<SceneFiles> find(const std::string& folder, const Registry& registry,
                              const std::string& dataset) {
   require_folder(folder);
-  std::error_code unusable;
-  if (fs::is_regular_file(dataset, unusable)) {
-    return scenes_that_must_be(bind_file(dataset, registry), folder);
-  }
+  const std::string description = dataset_file(folder, dataset);
+  if (!description.empty()) return scenes_that_must_be(bind_file(description, registry), folder);
   const std::string ending = lower_case(fs::path(dataset).extension().string());
   if (ending == ".yaml" || ending == ".yml") {
     throw Error(dataset + ": no such file; check the path of the data set's description");
@@ -151,14 +149,17 @@ std::vector<SceneFiles> find(const std::string& folder, const Registry& registry
   if (!dataset.empty()) {
     return scenes_that_must_be(bind_dataset(dataset, "data set", registry), folder);
   }
-  const std::string described = find_path((fs::path(folder) / "dataset.yaml").string());
-  if (fs::exists(described, unusable)) {
-    return scenes_that_must_be(bind_file(described, registry), folder);
-  }
   return recognised(folder, registry);
 }
 
 }  // namespace
+
+std::string dataset_file(const std::string& folder, const std::string& dataset) {
+  std::error_code unusable;
+  if (!dataset.empty()) return fs::is_regular_file(dataset, unusable) ? dataset : "";
+  const std::string described = find_path((fs::path(folder) / "dataset.yaml").string());
+  return fs::exists(described, unusable) ? described : "";
+}
 
 std::vector<SceneFiles> find_scenes(const std::string& folder, const Registry& registry,
                                     const std::string& dataset) {

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "xgm/io/output_folder.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
 #include <filesystem>
 
+#include "io/unfinished_file.hpp"
 #include "xgm/base/error.hpp"
-#include "xgm/io/file.hpp"
 
 namespace xgm {
 namespace fs = std::filesystem;
@@ -20,14 +25,23 @@ void make_output_folder(const std::string& folder, const std::string& what) {
 }
 
 void require_writable(const std::string& folder, const std::string& what) {
-  const std::string trial = (fs::path(folder) / ".writable").string();
   try {
-    write_file(trial, "");
+    const UnfinishedFile trial((fs::path(folder) / ".writable").string());
   } catch (const Error& error) {
     throw UsageError(what + error.message());
   }
-  std::error_code ignored;
-  fs::remove(trial, ignored);
+}
+
+FolderLock::FolderLock(const std::string& folder)
+    : folder_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+  if (folder_ < 0 || ::flock(folder_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+  ::close(folder_);
+  throw UsageError("another run or bench writes to " + folder +
+                   "; wait for it, or give another --output");
+}
+
+FolderLock::~FolderLock() {
+  if (folder_ >= 0) ::close(folder_);
 }
 
 }  // namespace xgm

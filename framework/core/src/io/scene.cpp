@@ -61,14 +61,9 @@ Scene load_scene(const SceneFiles& files) {
   scene.warnings = std::move(read.warnings);
   note_masked_share(scene.pair.base, "left", scene.notes);
   note_masked_share(scene.pair.match, "right", scene.notes);
-  for (const auto& [role, file] : {std::pair{"left", files.images.left},
-                                   {"right", files.images.right},
-                                   {"left mask", files.images.left_mask},
-                                   {"right mask", files.images.right_mask},
-                                   {"calibration", files.calibration_file}}) {
-    const bool is_used = !file.empty() && fault_of(files, file).empty();
-    if (is_used) scene.inputs.push_back({role, file, identify_file(file)});
-  }
+  std::vector<NamedFile> used = files_of(files);
+  std::erase_if(used, [&](const NamedFile& file) { return !fault_of(files, file.file).empty(); });
+  scene.inputs = identify_files(used);
   return scene;
 }
 

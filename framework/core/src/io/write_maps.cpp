@@ -12,10 +12,11 @@ namespace xgm {
 
 void write_maps(const std::string& folder, const DisparityMap& map) {
   make_output_folder(folder);
-  const std::filesystem::path path(folder);
-  write_pfm((path / "disparity.pfm").string(), map.disparity);
-  write_png((path / "disparity.png").string(), disparity_picture(map));
-  write_png((path / "status.png").string(), status_picture(map));
+  const auto in = [&](const char* name) { return (std::filesystem::path(folder) / name).string(); };
+  const auto [map_file, picture, statuses] = kMapFiles;
+  write_pfm(in(map_file), map.disparity);
+  write_png(in(picture), disparity_picture(map));
+  write_png(in(statuses), status_picture(map));
 }
 
 }  // namespace xgm

@@ -38,34 +38,30 @@ void require_cameras(const std::string& option, const SceneRequest& request) {
                    "doffs and baseline ('pipeline scenes FOLDER' tells what is missing)");
 }
 
-void require_no_input(const char* option, const std::string& file, const SceneFiles& scene) {
-  const TruthFiles& truth = scene.truth;
-  for (const std::string& input :
-       {scene.images.left, scene.images.right, scene.images.left_mask, scene.images.right_mask,
-        truth.disparity.file, truth.reverse.file, truth.visible.file, truth.non_occluded,
-        truth.objects}) {
-    std::error_code unusable;
-    if (file.empty() || input.empty() || !fs::equivalent(file, input, unusable)) continue;
-    throw UsageError(std::string(option) + " " + file +
-                     ": is a file of the scene, which would be lost; give another name");
-  }
+/// Whether the folder is there once `made` is.
+bool comes_with(const fs::path& folder, const std::string& made) {
+  std::error_code unusable;
+  const fs::path rest = fs::weakly_canonical(fs::absolute(made, unusable), unusable)
+                            .lexically_relative(fs::weakly_canonical(folder, unusable));
+  return !made.empty() && !rest.empty() && *rest.begin() != "..";
 }
 
-void require_writable_file(const char* option, const std::string& file) {
+void require_writable_file(const char* option, const std::string& file, const std::string& made) {
   if (file.empty()) return;
-  const fs::path folder = fs::path(file).parent_path();
+  const fs::path folder = fs::absolute(file).parent_path();
   std::error_code unusable;
-  const std::string mistake = std::string(option) + " " + file + ": ";
-  if (fs::is_directory(file, unusable)) throw UsageError(mistake + "is a folder; give a file");
-  if (!folder.empty() && !fs::is_directory(folder, unusable)) {
-    throw UsageError(mistake + "there is no folder " + folder.string() + "; make it first");
+  if (fs::is_directory(folder, unusable)) {
+    require_writable(folder.string(), std::string(option) + " ");
+  } else if (!comes_with(folder, made)) {
+    throw UsageError(std::string(option) + " " + file + ": there is no folder " +
+                     fs::path(file).parent_path().string() + "; make it first");
   }
-  require_writable(folder.string(), std::string(option) + " ");
 }
 
 }  // namespace
 
-DepthFiles check_depth_files(DepthFiles files, const SceneRequest& request) {
+DepthFiles check_depth_files(DepthFiles files, const SceneRequest& request,
+                             const std::string& made) {
   if (files.empty()) return files;
   require_cameras(files.cloud.empty() ? "--depth: " : "--cloud: ", request);
   if (files.depth.empty()) {
@@ -73,11 +69,8 @@ DepthFiles check_depth_files(DepthFiles files, const SceneRequest& request) {
   }
   require_ending("--cloud", files.cloud, {".ply"});
   require_ending("--depth", files.depth, {".tiff", ".tif"});
-  if (const auto* scene = std::get_if<SceneFiles>(&request.scene)) {
-    require_no_input("--depth", files.depth, *scene);
-  }
-  require_writable_file("--cloud", files.cloud);
-  require_writable_file("--depth", files.depth);
+  require_writable_file("--cloud", files.cloud, made);
+  require_writable_file("--depth", files.depth, made);
   return files;
 }
 

@@ -82,6 +82,15 @@ std::vector<const PluginInfo*> find_plugins(const std::string& name, const Regis
   throw UsageError("there is no plugin '" + name + "'; " + suggest(name, names, "plugins"));
 }
 
+std::vector<std::string> plugin_files(const Registry& registry) {
+  std::vector<std::string> files;
+  for (const PluginInfo* plugin : registry.plugins()) {
+    const bool known = std::find(files.begin(), files.end(), plugin->origin) != files.end();
+    if (!plugin->origin.empty() && !known) files.push_back(plugin->origin);
+  }
+  return files;
+}
+
 void require_name(const std::string& what, const std::string& name,
                   const std::vector<std::string>& names) {
   if (std::find(names.begin(), names.end(), name) != names.end()) return;

@@ -14,6 +14,15 @@ struct Search {
   std::string from;     ///< for people
 };
 
+std::vector<NamedFile> files_of(const RangeMapFiles& maps) {
+  return {{"smallest disparities", maps.min}, {"largest disparities", maps.max}};
+}
+
+template <class File>
+void add_to(std::vector<File>& files, const std::vector<File>& more) {
+  files.insert(files.end(), more.begin(), more.end());
+}
+
 void require_file(const std::string& file, const std::string& what, const std::string& remedy) {
   const std::string why = file.empty() ? "" : why_unreadable(file);
   if (!why.empty()) throw UsageError(what + file + ": " + why + "; " + remedy);
@@ -102,8 +111,7 @@ DisparityRange read_range(const RangeMapFiles& files, Scene& scene) {
                 std::to_string(size.width) + " x " + std::to_string(size.height) +
                 "; range maps have the size of the left image");
   }
-  scene.inputs.push_back({"smallest disparities", files.min, identify_file(files.min)});
-  scene.inputs.push_back({"largest disparities", files.max, identify_file(files.max)});
+  add_to(scene.inputs, identify_files(files_of(files)));
   return range;
 }
 
@@ -134,7 +142,7 @@ void read_truth(const TruthFiles& files, SceneInputs& inputs) {
   append(inputs.warnings, truth.warnings);  // also of a truth that turns out to be of no use
   require_judgeable(truth);
   scene.truth = std::move(truth);
-  for (InputFile& file : identify_truth(files)) scene.inputs.push_back(std::move(file));
+  add_to(scene.inputs, identify_files(files_of(files)));
 }
 
 /// What the calibration says holds for one size of images. Cameras that cannot be used are warned
@@ -171,6 +179,21 @@ void read_truth_of_scene(const SceneFiles& files, SceneInputs& inputs) {
 }
 
 }  // namespace
+
+std::vector<NamedFile> files_of(const SceneRequest& request) {
+  std::vector<NamedFile> files;
+  if (const auto* scene = std::get_if<SceneFiles>(&request.scene)) {
+    files = files_of(*scene);
+    add_to(files, files_of(scene->truth));
+  } else {
+    for (const InputFile& input : std::get<Scene>(request.scene).inputs) {
+      files.push_back({input.role, input.file});
+    }
+  }
+  if (request.truth) add_to(files, files_of(*request.truth));
+  if (request.range_maps) add_to(files, files_of(*request.range_maps));
+  return files;
+}
 
 void check_scene(const SceneRequest& request, const Pipeline& pipeline) {
   if (const auto* files = std::get_if<SceneFiles>(&request.scene)) {

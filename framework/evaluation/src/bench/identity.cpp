@@ -6,6 +6,7 @@
 
 #include "xgm/base/error.hpp"
 #include "xgm/base/json.hpp"
+#include "xgm/io/write_maps.hpp"
 #include "xgm/pipeline/installation.hpp"
 
 namespace xgm {
@@ -13,6 +14,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kFormat = 1;
+constexpr const char* kMark = "cell.json";
 
 std::string in(const std::string& folder, const char* name) {
   return (fs::path(folder) / name).string();
@@ -74,9 +76,16 @@ std::string cell_identity(const BenchRequest& request, std::size_t pipeline, std
   return identity.dump();
 }
 
+std::vector<std::string> cell_files(const std::string& folder) {
+  std::vector<std::string> files;
+  for (const char* name : kMapFiles) files.push_back(in(folder, name));
+  for (const char* name : {"run.json", kMark, kCellLog}) files.push_back(in(folder, name));
+  return files;
+}
+
 bool is_done(const std::string& folder, const std::string& identity) {
   try {
-    const Json mark = Json::parse(read_file(in(folder, "cell.json")));
+    const Json mark = Json::parse(read_file(in(folder, kMark)));
     return mark.at("identity").dump() == identity &&
            mark.at("results").dump() == results(folder).dump();
   } catch (const std::exception&) {
@@ -88,12 +97,12 @@ void begin_cell(const std::string& folder) {
   std::error_code failure;
   fs::create_directories(folder, failure);
   if (failure) throw Error(folder + ": cannot be made: " + failure.message());
-  for (const char* name : {"cell.json", "run.json"}) fs::remove(in(folder, name), failure);
+  for (const char* name : {kMark, "run.json"}) fs::remove(in(folder, name), failure);
 }
 
 void mark_done(const std::string& folder, const std::string& identity) {
   const Json mark{{"identity", Json::parse(identity)}, {"results", results(folder)}};
-  write_file(in(folder, "cell.json"), mark.dump(2) + "\n");
+  write_file(in(folder, kMark), mark.dump(2) + "\n");
 }
 
 }  // namespace xgm

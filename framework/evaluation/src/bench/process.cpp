@@ -2,7 +2,6 @@
 // Child processes: what a run does to memory, or dies of, stays its own.
 #include <fcntl.h>
 #include <signal.h>
-#include <sys/file.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -144,19 +143,6 @@ Interruptible::~Interruptible() {
 }
 
 int Interruptible::signal() { return noted_signal; }
-
-FolderLock::FolderLock(const std::string& folder) {
-  constexpr int kMode = 0644;
-  const std::string file = folder + "/.lock";
-  file_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, kMode);
-  if (file_ < 0) throw Error(file + ": cannot be opened: " + std::strerror(errno));
-  if (::flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
-  ::close(file_);
-  throw Error("another bench works in " + folder + "; wait for it or give another --output");
-}
-
-// The file stays: who removed it could remove one that another process has just locked.
-FolderLock::~FolderLock() { ::close(file_); }
 
 RunOutcome run_program(const std::string& program, const std::vector<std::string>& words,
                        const std::string& log) {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "metrics/evaluation_json.hpp"
-#include "record/inputs_json.hpp"
+#include "record/files_json.hpp"
 #include "xgm/base/json.hpp"
 #include "xgm/plugin/version.hpp"
 

@@ -5,12 +5,12 @@
 #include <memory>
 
 #include "record/doubts.hpp"
+#include "record/run_folder.hpp"
 #include "xgm/base/memory.hpp"
 #include "xgm/base/parallel.hpp"
 #include "xgm/evaluation/report.hpp"
 #include "xgm/evaluation/truth_doubts.hpp"
 #include "xgm/io/file.hpp"
-#include "xgm/io/output_folder.hpp"
 #include "xgm/io/outputs.hpp"
 #include "xgm/io/write_maps.hpp"
 #include "xgm/stage/observers.hpp"
@@ -19,15 +19,33 @@ namespace xgm {
 namespace {
 namespace fs = std::filesystem;
 
-std::string in(const std::string& folder, const char* name) {
-  return (fs::path(folder) / name).string();
+/// The files that a run will write; only dumps are not known before.
+std::vector<NamedFile> planned_files(const RecordRequest& request, const DepthFiles& depth) {
+  std::vector<NamedFile> files{{"--cloud", depth.cloud}, {"--depth", depth.depth}};
+  const auto add = [&](const char* name) {
+    files.push_back({"--output", (fs::path(request.folder) / name).string()});
+  };
+  for (const char* name : kMapFiles) add(name);
+  if (request.report) add(kReportFile);
+  if (!request.explained.empty()) add(kExplanationsFile);
+  add(kRecordFile);
+  return files;
+}
+
+std::vector<NamedFile> files_read(const Pipeline& pipeline, const SceneRequest& scene,
+                                  const RecordRequest& request) {
+  std::vector<NamedFile> files = files_of(scene);
+  files.push_back({"pipeline", pipeline.file()});
+  files.insert(files.end(), request.inputs.begin(), request.inputs.end());
+  return files;
 }
 
 /// All who watch the run for its record.
 class Watchers {
  public:
-  Watchers(const RecordRequest& request, const Scene& scene, Observer* callers)
-      : dumper(in(request.folder, "dump"), request.dump) {
+  Watchers(const RecordRequest& request, const Scene& scene, RunFolder& folder, Observer* callers)
+      : dumper(folder.file(kDumpFolder), request.dump,
+               [&folder](const std::string& file) { folder.announce(file); }) {
     // A stage is recorded before the caller hears of it, and a dump that fails ends the run.
     all.add(recorder);
     if (callers != nullptr) all.add(*callers);
@@ -98,7 +116,7 @@ void add_warnings(RecordedRun& result, const RecordRequest& request, Observer* o
   }
 }
 
-void write_report(const std::string& folder, const RecordedRun& result, const Watchers& watchers,
+void write_report(const std::string& file, const RecordedRun& result, const Watchers& watchers,
                   const std::string& explanations) {
   const fs::path path(result.record.scene);
   const std::string scene = (path.has_filename() ? path : path.parent_path()).filename().string();
@@ -110,23 +128,37 @@ void write_report(const std::string& folder, const RecordedRun& result, const Wa
   const std::string title = scene + ", " + run.name;
   const Scene& seen = result.run.scene;
   const Report report{title, {}, {{scene, seen.pair.base, seen.truth, {std::move(run)}}}};
-  write_file(in(folder, "report.html"), report_html(report));
+  write_file(file, report_html(report));
 }
 
-void write_files(RecordedRun& result, const RecordRequest& request, const Watchers& watchers) {
-  std::error_code missing;  // an earlier run's record does not tell of the files written now
-  fs::remove(in(request.folder, "run.json"), missing);
+/// The map first: what fails later does not take it away. The record last: it tells that all is
+/// there.
+void write_files(RecordedRun& result, const RecordRequest& request, const Watchers& watchers,
+                 RunFolder& folder) {
+  folder.begin();
   const DisparityMap& map = result.run.maps.forward;
+  write_maps(request.folder, map);
   if (!result.depth.empty()) {
     const Scene& scene = result.run.scene;
     result.points = write_depth_files(result.depth, map, *scene.calibration, scene.pair.base);
   }
   const std::string explanations =
       watchers.explainer ? to_json(watchers.explainer->explanations()) : "";
-  if (!explanations.empty()) write_file(in(request.folder, "explain.json"), explanations);
-  if (request.report) write_report(request.folder, result, watchers, explanations);
-  write_maps(request.folder, map);
-  write_file(in(request.folder, "run.json"), to_json(result.record));  // tells that all is there
+  if (!explanations.empty()) write_file(folder.file(kExplanationsFile), explanations);
+  if (request.report) write_report(folder.file(kReportFile), result, watchers, explanations);
+  result.record.outputs = folder.outputs();
+  write_file(folder.file(kRecordFile), to_json(result.record));
+  folder.end();
+}
+
+SceneRun match(const Pipeline& pipeline, SceneInputs inputs, const RunOptions& options,
+               RunFolder& folder) {
+  try {
+    return match_scene(pipeline, std::move(inputs), options);
+  } catch (const Cancelled&) {
+    folder.discard();
+    throw;
+  }
 }
 
 }  // namespace
@@ -134,16 +166,17 @@ void write_files(RecordedRun& result, const RecordRequest& request, const Watche
 RecordedRun record_scene(const Pipeline& pipeline, const SceneRequest& scene,
                          const RecordRequest& request, const RunOptions& options) {
   check_scene(scene, pipeline);
-  const DepthFiles depth = check_depth_files(request.depth, scene);
-  make_output_folder(request.folder, "--output ");
+  const DepthFiles depth = check_depth_files(request.depth, scene, request.folder);
+  RunFolder folder(request.folder, planned_files(request, depth),
+                   files_read(pipeline, scene, request));
   request.tell("reading the images");
   SceneInputs inputs = read_scene(scene, pipeline);
   require_cameras_of_size(depth, scene, inputs.scene.pair.size());
-  Watchers watchers(request, inputs.scene, options.observer);
+  Watchers watchers(request, inputs.scene, folder, options.observer);
   RunOptions watched = options;
   watched.observer = &watchers.all;
   request.tell("matching");
-  RecordedRun result{match_scene(pipeline, std::move(inputs), watched), {}, depth, 0, {}};
+  RecordedRun result{match(pipeline, std::move(inputs), watched, folder), {}, depth, 0, {}};
   request.tell("writing the results");
   RunRecord& record = result.record;
   record.pipeline_file = pipeline.file();
@@ -155,7 +188,7 @@ RecordedRun record_scene(const Pipeline& pipeline, const SceneRequest& scene,
   describe_map(record, result.run);
   result.failure = failure_of(record);
   add_warnings(result, request, options.observer);
-  write_files(result, request, watchers);
+  write_files(result, request, watchers, folder);
   return result;
 }
 

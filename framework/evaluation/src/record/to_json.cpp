@@ -2,7 +2,7 @@
 #include <opencv2/core/version.hpp>
 
 #include "metrics/evaluation_json.hpp"
-#include "record/inputs_json.hpp"
+#include "record/files_json.hpp"
 #include "xgm/base/json.hpp"
 #include "xgm/evaluation/run_record.hpp"
 #include "xgm/plugin/handshake.hpp"
@@ -96,6 +96,7 @@ std::string to_json(const RunRecord& record) {
   json["stages"] = stages(record);
   json["warnings"] = record.warnings;
   if (!record.dumps.empty()) json["dumps"] = dumps(record);
+  if (!record.outputs.empty()) json["outputs"] = to_json(record.outputs);
   return json.dump(2) + "\n";
 }
 

@@ -2,6 +2,7 @@
 // Writes the results of chosen stages while a pipeline runs, for inspection.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -29,7 +30,10 @@ struct DumpedFile {
 /// A stage that runs again under the same path gets ".2", ".3" and so on.
 class XGM_API Dumper final : public Observer {
  public:
-  Dumper(std::string folder, std::string pattern);
+  /// `announce` is told the name of each file before it is written.
+  Dumper(
+      std::string folder, std::string pattern,
+      std::function<void(const std::string&)> announce = [](const std::string&) {});
 
   bool wants(const std::string& stage_path) const;
   void stage_end(const StagePlace& place, const StageStatistics& statistics,
@@ -40,6 +44,7 @@ class XGM_API Dumper final : public Observer {
 
  private:
   std::string folder_, pattern_;
+  std::function<void(const std::string&)> announce_;
   std::map<std::string, int> runs_;
   std::vector<DumpedFile> files_;
 };

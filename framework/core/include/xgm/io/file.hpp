@@ -24,9 +24,9 @@ XGM_API std::string why_unreadable(const std::string& file);
 /// The first bytes of a file, at most `count`. Throws Error like read_file.
 XGM_API std::string read_head(const std::string& file, std::size_t count);
 
-/// Writes under a temporary name in the same folder and renames it to `file` once it is complete.
-/// If `write` throws or the disk is full, no new file remains and an existing file is unchanged.
-/// Throws Error.
+/// Gives the file its name once it is complete. If `write` throws, the disk is full or the process
+/// is ended, no new file remains and an existing one is unchanged. Throws Error, also if there is a
+/// folder, a device or a pipe of this name.
 XGM_API void write_file(const std::string& file, const std::function<void(std::ostream&)>& write);
 XGM_API void write_file(const std::string& file, std::string_view bytes);
 

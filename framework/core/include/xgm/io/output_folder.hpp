@@ -16,4 +16,19 @@ XGM_API void make_output_folder(const std::string& folder, const std::string& wh
 /// begins with `what`.
 XGM_API void require_writable(const std::string& folder, const std::string& what = {});
 
+/// Keeps other runs and benches out of a folder for as long as it exists, so that what the folder
+/// holds is of one of them. It ends with its process, however that ends, and leaves nothing in the
+/// folder. A file system without locks gives no protection.
+class XGM_API FolderLock {
+ public:
+  /// Throws UsageError if somebody else has the folder.
+  explicit FolderLock(const std::string& folder);
+  ~FolderLock();
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+ private:
+  int folder_ = -1;
+};
+
 }  // namespace xgm

@@ -13,6 +13,7 @@
 #include "xgm/data/scene_files.hpp"
 #include "xgm/io/file.hpp"
 #include "xgm/io/image_io.hpp"
+#include "xgm/io/require_apart.hpp"
 #include "xgm/plugin/registry.hpp"
 
 namespace xgm {
@@ -50,6 +51,13 @@ XGM_API std::vector<SceneFiles> find_scenes(const std::string& folder, const Reg
 XGM_API SceneFiles find_scene(const std::string& folder, const Registry& registry,
                               const std::string& name = {}, const std::string& dataset = {});
 
+/// The file that describes the data set to find_scenes; empty if there is none.
+XGM_API std::string dataset_file(const std::string& folder, const std::string& dataset = {});
+
+/// The files of a scene without its truth, and those of a truth: as many as there are.
+XGM_API std::vector<NamedFile> files_of(const SceneFiles& scene);
+XGM_API std::vector<NamedFile> files_of(const TruthFiles& truth);
+
 /// The scenes as a JSON list; unknown values are null.
 XGM_API std::string to_json(const std::vector<SceneFiles>& scenes);
 
@@ -73,8 +81,8 @@ XGM_API GroundTruth load_truth(const TruthFiles& files, cv::Size size);
 /// Throws Error unless some pixel has a disparity by which a map is judged: see is_judged().
 XGM_API void require_judgeable(const GroundTruth& truth);
 
-/// The files of the ground truth that were read, with their roles.
-XGM_API std::vector<InputFile> identify_truth(const TruthFiles& files);
+/// The same files, to be recorded. Throws Error.
+XGM_API std::vector<InputFile> identify_files(const std::vector<NamedFile>& files);
 
 /// The left pixels that are visible in the right image, from the ground truth of both views: 255
 /// where the true disparity of the right view at the corresponding pixel (rounded, halves to even)

@@ -2,12 +2,17 @@
 // A disparity map as files, for programs and for people.
 #pragma once
 
+#include <array>
 #include <string>
 
 #include "xgm/base/export.hpp"
 #include "xgm/data/disparity_map.hpp"
 
 namespace xgm {
+
+/// What write_maps() writes.
+inline constexpr std::array<const char*, 3> kMapFiles{"disparity.pfm", "disparity.png",
+                                                      "status.png"};
 
 /// Writes disparity.pfm (px, +inf where there is none), disparity.png and status.png (pictures with
 /// legends) to the folder, which is made if it is missing. Each file is complete or not there.

@@ -20,9 +20,10 @@ struct DepthFiles {
 };
 
 /// The same files with all names filled in. Throws UsageError, before any image is opened, if the
-/// scene's cameras are not known, a file cannot be written, has another ending, or is one that the
-/// scene is read from.
-XGM_API DepthFiles check_depth_files(DepthFiles files, const SceneRequest& request);
+/// scene's cameras are not known, or a file has another ending or cannot be written. The folder
+/// `made` need not be there yet. Callers see with require_apart() that no input is lost.
+XGM_API DepthFiles check_depth_files(DepthFiles files, const SceneRequest& request,
+                                     const std::string& made = {});
 
 /// Throws Error if depths are asked for, but the scene's cameras are those of images of another
 /// size than these, which have been read.

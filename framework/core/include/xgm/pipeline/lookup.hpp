@@ -30,6 +30,9 @@ XGM_API Pipeline require_pipeline(const std::string& name, const Registry& regis
 XGM_API std::vector<const PluginInfo*> find_plugins(const std::string& name,
                                                     const Registry& registry);
 
+/// The files that the registry's plugins were loaded from.
+XGM_API std::vector<std::string> plugin_files(const Registry& registry);
+
 /// Throws UsageError unless `name` is one of `names`; says what there is none of: "there is no
 /// option
 /// '--swep'; did you mean '--sweep'?"

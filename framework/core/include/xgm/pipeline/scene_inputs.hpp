@@ -43,6 +43,9 @@ struct SceneInputs {
   double reading_seconds = 0;
 };
 
+/// The files that the request is read from.
+XGM_API std::vector<NamedFile> files_of(const SceneRequest& request);
+
 /// What can be checked before an image is opened. Throws UsageError: a file that is missing, images
 /// in memory that are no pair, no disparities, range maps that the pipeline cannot take.
 XGM_API void check_scene(const SceneRequest& request, const Pipeline& pipeline);

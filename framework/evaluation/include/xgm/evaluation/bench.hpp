@@ -139,6 +139,12 @@ struct BenchHooks {
 XGM_API std::string cell_folder(const BenchRequest& request, std::size_t pipeline,
                                 std::size_t scene);
 
+/// The log of a cell's run, in its folder.
+inline constexpr const char* kCellLog = "log.txt";
+
+/// The files that a bench and its runs write to the folder of a cell.
+XGM_API std::vector<std::string> cell_files(const std::string& folder);
+
 /// Runs all cells that are not done, scene by scene, and evaluates all maps with the current ground
 /// truth. A cell is done if an earlier bench ran it with the same program, resolved pipeline,
 /// images, disparities and threads, and its files have not changed since. Holds one map in memory

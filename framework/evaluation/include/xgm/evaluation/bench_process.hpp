@@ -21,19 +21,6 @@ class XGM_API Interruptible {
   static int signal();
 };
 
-/// Locks a folder for as long as it exists, by `folder`/.lock. Throws Error if another process
-/// holds the lock. A file system without locks gives no protection.
-class XGM_API FolderLock {
- public:
-  explicit FolderLock(const std::string& folder);
-  ~FolderLock();
-  FolderLock(const FolderLock&) = delete;
-  FolderLock& operator=(const FolderLock&) = delete;
-
- private:
-  int file_ = -1;
-};
-
 /// Runs the file `program`, its output going to `log`, until it ends or this process is told to; it
 /// does not outlive this process. `words` are its command line, the program's own name first.
 /// `failure` is the last error that it printed, or how it ended.

@@ -17,13 +17,16 @@ namespace xgm {
 
 /// What is to be kept.
 struct RecordRequest {
-  std::string folder;                       ///< made if it is missing
+  std::string folder{};                     ///< made if it is missing
   std::vector<Override> overrides{};        ///< that the pipeline was loaded with, for the record
   std::vector<std::string> command_line{};  ///< for the record
   std::string dump{};                       ///< pattern of stages; see Dumper
   bool report = false;
   ExplainPixels explained{};
   DepthFiles depth{};
+  /// Files that the program has read for this run beside those of the scene and the pipeline, such
+  /// as plugin files. Like those they are never replaced.
+  std::vector<NamedFile> inputs{};
   /// Told what is done now ("reading the images").
   std::function<void(const std::string&)> tell = [](const std::string&) {};
 };
@@ -37,9 +40,11 @@ struct RecordedRun {
 };
 
 /// Runs the pipeline and writes to the folder: disparity.pfm, disparity.png, status.png and, last,
-/// run.json; report.html, explain.json, dump/ and depths as far as they are asked for. A map that
-/// is empty is written, too, and `failure` says so. Throws UsageError for what is wrong before the
-/// images are matched, else Error; run.json is then missing.
+/// run.json; report.html, explain.json, dump/ and depths as far as they are asked for. Files of an
+/// earlier run, by the list in its run.json, are removed before. A map that is empty is written,
+/// too, and `failure` says so. Throws UsageError for what is wrong before the images are matched, a
+/// folder where another run is at work and files that would be lost included, else Error; run.json
+/// is then missing. If it is Cancelled, nothing is left of it.
 XGM_API RecordedRun record_scene(const Pipeline& pipeline, const SceneRequest& scene,
                                  const RecordRequest& request, const RunOptions& options = {});
 

@@ -38,6 +38,12 @@ class XGM_API RunRecorder final : public Observer {
   std::vector<StageRecord> stages_;
 };
 
+/// A file that a run wrote into its folder.
+struct OutputFile {
+  std::string file;                      ///< relative to the folder
+  std::optional<std::uint64_t> bytes{};  ///< none: the run has not ended
+};
+
 /// All that run.json holds.
 struct RunRecord {
   std::string pipeline_file;
@@ -55,6 +61,7 @@ struct RunRecord {
   std::vector<StageRecord> stages;
   std::vector<std::string> warnings;
   std::vector<DumpedFile> dumps;
+  std::vector<OutputFile> outputs;  ///< beside run.json itself
   double reading_seconds = 0;
   double matching_seconds = 0;
   std::uint64_t peak_memory_bytes = 0;
@@ -69,5 +76,7 @@ XGM_API std::string to_json(const RunRecord& record);
 
 /// The files that were read, from the text of a run.json; empty if it is none.
 XGM_API std::vector<InputFile> recorded_inputs(const std::string& run_json);
+/// The files that were written, likewise. Names that lead out of the folder are left out.
+XGM_API std::vector<OutputFile> recorded_outputs(const std::string& run_json);
 
 }  // namespace xgm

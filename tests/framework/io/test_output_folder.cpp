@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <doctest/doctest.h>
+#include <sys/wait.h>
+
+#include <csignal>
+
+#include "support/temporary_folder.hpp"
+#include "xgm/io/output_folder.hpp"
+
+using namespace xgm;
+using xgm::testing::contains;
+using xgm::testing::error_of;
+using xgm::testing::TemporaryFolder;
+
+TEST_CASE("FolderLock: one at a time, by whatever path, and nothing is left") {
+  const TemporaryFolder folder;
+  {
+    const FolderLock first(folder.path());
+    const std::string message = error_of([&] { const FolderLock second(folder / "."); });
+    CHECK(contains(message, "another run or bench writes to " + (folder / ".")));
+    const TemporaryFolder other;
+    CHECK_NOTHROW(FolderLock(other.path()));
+  }
+  CHECK_NOTHROW(FolderLock(folder.path()));
+  CHECK(folder.files() == 0);
+}
+
+TEST_CASE("FolderLock: it ends with its process, even if that is killed") {
+  const TemporaryFolder folder;
+  const pid_t child = ::fork();
+  REQUIRE(child >= 0);
+  if (child == 0) {
+    const FolderLock lock(folder.path());
+    ::kill(::getpid(), SIGKILL);
+  }
+  int status = 0;
+  REQUIRE(::waitpid(child, &status, 0) == child);
+  REQUIRE(WIFSIGNALED(status));
+  CHECK_NOTHROW(FolderLock(folder.path()));
+}
+
+TEST_CASE("make_output_folder: makes folders in folders, and leaves no trace of its trial") {
+  const TemporaryFolder folder;
+  make_output_folder(folder / "a/b/c", "--output ");
+  CHECK(std::filesystem::is_empty(folder / "a/b/c"));
+  folder.write("file", "");
+  CHECK(contains(error_of([&] { make_output_folder(folder / "file", "--output "); }),
+                 "--output " + (folder / "file") + ": cannot be made a folder"));
+  CHECK(contains(error_of([&] { require_writable("/proc", "--json "); }), "--json /proc"));
+}
