@@ -119,10 +119,10 @@ void OpenCvSgbm::describe(Parameters& p, xgm::ParameterSet& set) {
       .odd();
   set.add("p1", p.p1,
           "Penalty of a disparity step of one; OpenCV advises 8 * channels * block_size^2.")
-      .range(1, 32767);
+      .range(1, 32766);
   set.add("p2", p.p2,
           "Penalty of larger disparity steps; OpenCV advises 32 * channels * block_size^2.")
-      .range(1, 32767);
+      .range(2, 32767);
   set.add("disp12_max_diff", p.disp12_max_diff,
           "Largest difference of the two views' disparities in the left-right check.")
       .unit("px")
