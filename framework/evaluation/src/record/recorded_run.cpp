@@ -44,6 +44,14 @@ class Watchers {
   Observers all;
 };
 
+Besides besides_of(const RecordRequest& request, cv::Size size) {
+  Besides besides{.after = bytes_to_write_maps(size)};
+  if (!request.report) return besides;
+  besides.level_pixel = LevelCollector::kBytesPerPixel;
+  besides.after += bytes_to_report(size);
+  return besides;
+}
+
 void describe_run(RunRecord& record, const SceneRun& run, const Watchers& watchers) {
   record.scene = run.scene.name;
   record.inputs = run.scene.inputs;
@@ -64,7 +72,6 @@ void describe_map(RunRecord& record, const SceneRun& run) {
   if (!run.scene.truth.disparity.empty()) {
     record.truth = evaluate_regions(map, run.scene.truth, {.deltas = usual_thresholds()});
   }
-  record.peak_memory_bytes = peak_memory();
 }
 
 std::string failure_of(const RunRecord& record) {
@@ -113,6 +120,7 @@ void write_files(RecordedRun& result, const RecordRequest& request, const Watche
   std::error_code missing;  // an earlier run's record does not tell of the files written now
   fs::remove(in(request.folder, "run.json"), missing);
   const DisparityMap& map = result.run.maps.forward;
+  write_maps(request.folder, map);  // first: it is there whatever becomes of the rest
   if (!result.depth.empty()) {
     const Scene& scene = result.run.scene;
     result.points = write_depth_files(result.depth, map, *scene.calibration, scene.pair.base);
@@ -120,8 +128,9 @@ void write_files(RecordedRun& result, const RecordRequest& request, const Watche
   const std::string explanations =
       watchers.explainer ? to_json(watchers.explainer->explanations()) : "";
   if (!explanations.empty()) write_file(in(request.folder, "explain.json"), explanations);
+  result.record.peak_memory_bytes = peak_memory();
   if (request.report) write_report(request.folder, result, watchers, explanations);
-  write_maps(request.folder, map);
+  result.record.peak_memory_bytes = peak_memory();
   write_file(in(request.folder, "run.json"), to_json(result.record));  // tells that all is there
 }
 
@@ -134,6 +143,7 @@ RecordedRun record_scene(const Pipeline& pipeline, const SceneRequest& scene,
   make_output_folder(request.folder, "--output ");
   request.tell("reading the images");
   SceneInputs inputs = read_scene(scene, pipeline);
+  inputs.besides = besides_of(request, inputs.scene.pair.size());
   Watchers watchers(request, inputs.scene, options.observer);
   RunOptions watched = options;
   watched.observer = &watchers.all;

@@ -11,6 +11,7 @@
 #include "xgm/data/disparity_range.hpp"
 #include "xgm/io/scene.hpp"
 #include "xgm/pipeline/pipeline.hpp"
+#include "xgm/pipeline/plan.hpp"
 
 namespace xgm {
 
@@ -40,6 +41,7 @@ struct SceneInputs {
   std::optional<double> memory_limit;  ///< the request's
   std::vector<std::string> warnings;   ///< beside scene.notes
   double reading_seconds = 0;
+  Besides besides{};  ///< of the caller, for the limit
 };
 
 /// What can be checked before an image is opened. Throws UsageError: a file that is missing, images
