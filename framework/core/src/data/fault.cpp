@@ -100,17 +100,4 @@ std::optional<Fault> fault_of(const DisparityMap& map, const MapBounds& bounds) 
   return Fault{"a disparity lies outside the range", pixel};
 }
 
-std::optional<Fault> fault_of(const DisparityRange& range, cv::Size size) {
-  if (range.size() != size) return Fault{"the range does not have the size of the limits"};
-  if (range.is_uniform()) return std::nullopt;
-  const auto pixel = first_pixel(size, [&](int y) {
-    return [&range, y](int x) {
-      const Interval interval = range.at(y, x);
-      return interval.end < interval.begin;
-    };
-  });
-  if (!pixel) return std::nullopt;
-  return Fault{"an interval ends before it begins", pixel};
-}
-
 }  // namespace xgm

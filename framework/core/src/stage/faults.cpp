@@ -33,6 +33,13 @@ bool has_disparity_at(const std::uint8_t* status, int x) {
   return has_disparity(static_cast<Status>(status[x]));
 }
 
+/// Of a disparity that lies in a range. Floats of this size have no fractions; std::floor would be
+/// called for each pixel.
+bool is_whole(float disparity) {
+  constexpr float kNoFractions = 3 << 22;
+  return (disparity + kNoFractions) - kNoFractions == disparity;
+}
+
 MaybeFault fault_of_matched(const DisparityMap& map, const Image& view, Interval searched) {
   if (auto fault = fault_of(map, {view.size(), searched})) return fault;
   if (view.valid.empty()) return std::nullopt;
@@ -124,12 +131,13 @@ MaybeFault Selection::fault_of(const DisparityMap& result, const AggregatedVolum
   const VolumeShape& shape = sums.shape();
   if (auto fault = xgm::fault_of(result, {shape.size()})) return fault;
   return fault_if("a disparity is not a whole one of the pixel's range", result.size(), [&](int y) {
-    return [&shape, y, d = result.disparity[y], status = result.status[y]](int x) {
-      if (!has_disparity_at(status, x)) return false;
-      const auto begin = static_cast<float>(shape.begin(y, x));
-      const auto end = static_cast<float>(shape.end(y, x));
-      return d[x] < begin || d[x] >= end || d[x] != std::floor(d[x]);
-    };
+    return
+        [slices = &shape.slice(y, 0), d = result.disparity[y], status = result.status[y]](int x) {
+          const auto begin = static_cast<float>(slices[x].begin);
+          const auto end = static_cast<float>(slices[x].begin + slices[x].count);
+          const bool outside = static_cast<bool>((d[x] < begin) | (d[x] >= end));
+          return static_cast<bool>(has_disparity_at(status, x) & (outside | !is_whole(d[x])));
+        };
   });
 }
 
@@ -162,10 +170,16 @@ MaybeFault Consistency::fault_of(const MatchResult& result, const MatchResult& m
 
 MaybeFault SearchRange::fault_of(const DisparityRange& result, const DisparityMap&,
                                  const DisparityRange& limits, const Context&) {
-  if (auto fault = xgm::fault_of(result, limits.size())) return fault;
-  return fault_if("a pixel has nothing to search", limits.size(), [&](int y) {
+  if (result.size() != limits.size()) {
+    return Fault{"the range does not have the size of the limits"};
+  }
+  auto fault = fault_if("a pixel has nothing to search", limits.size(), [&](int y) {
     return [&, y](int x) { return !limits.at(y, x).empty() && result.at(y, x).empty(); };
   });
+  if (!fault) return std::nullopt;
+  const Interval interval = result.at(fault->pixel->y, fault->pixel->x);
+  if (interval.end < interval.begin) fault->rule = "an interval ends before it begins";
+  return fault;
 }
 
 }  // namespace xgm

@@ -37,7 +37,4 @@ struct MapBounds {
 /// status says so have a finite disparity, which lies within the bounds.
 XGM_API std::optional<Fault> fault_of(const DisparityMap& map, const MapBounds& bounds);
 
-/// None if the range is of the size and no interval ends before it begins.
-XGM_API std::optional<Fault> fault_of(const DisparityRange& range, cv::Size size);
-
 }  // namespace xgm
