@@ -198,9 +198,10 @@ cv::Mat3b picture(const Image& image, const Sampling& sampling) {
 
 std::array<double, kStatusCount> status_shares(const DisparityMap& map) {
   std::array<double, kStatusCount> shares{};
-  if (map.status.empty()) return shares;
-  for (const std::uint8_t status : map.status) ++shares.at(status);
-  for (double& share : shares) share /= static_cast<double>(map.status.total());
+  for (int i = 0; i < kStatusCount; ++i) {
+    const auto total = static_cast<double>(map.status.total());
+    shares[static_cast<std::size_t>(i)] = total > 0 ? cv::countNonZero(map.status == i) / total : 0;
+  }
   return shares;
 }
 
