@@ -10,26 +10,11 @@ using namespace detail;
 
 namespace {
 
-void expect_sound_view(Report& report, const Image& image, cv::Size size) {
-  report.expect(image.planes.size() == 1 || image.planes.size() == 3,
-                "an image does not have one or three planes");
-  bool sized = image.valid.empty() || image.valid.size() == size;
-  for (const cv::Mat1f& plane : image.planes) sized = sized && plane.size() == size;
-  report.expect(sized, "planes or masks do not have the base image's size");
-  if (!sized) return;
-  for (const cv::Mat1f& plane : image.planes)
-    for (int y = 0; y < size.height; ++y)
-      for (int x = 0; x < size.width; ++x)
-        report.expect(std::isfinite(plane(y, x)) || !image.is_valid(y, x),
-                      "a valid pixel has no finite level", y, x);
-}
-
 void check_preprocess_on(Report& report, const Preprocess& stage, const ImagePair& pair) {
   const Bytes before = bytes_of(pair);
   const ImagePair result = run_with_threads(report, [&] { return stage.run(pair, Context{}); });
   report.expect(bytes_of(pair) == before, "the images were changed in place");
-  expect_sound_view(report, result.base, pair.size());
-  expect_sound_view(report, result.match, pair.size());
+  report.expect_none(Preprocess::fault_of(result, pair, Context{}));
   const cv::Mat1b& mask = result.base.valid;
   if (!mask.empty() && mask.size() != pair.size()) return;
   for (int y = 0; y < pair.size().height; ++y)
@@ -61,16 +46,6 @@ Classes classes(const PenaltyField& field, Direction r, cv::Size size, bool upwa
   return all;
 }
 
-void expect_table(Report& report, const PenaltyTable& table) {
-  report.expect(table.base_classes >= 1 && table.base_classes <= 256 && table.match_classes >= 1 &&
-                    table.match_classes <= 256,
-                "the number of classes is not in 1 to 256");
-  report.expect(static_cast<int>(table.entries.size()) == table.base_classes * table.match_classes,
-                "the table does not have an entry for each pair of classes");
-  for (const PenaltyPair& entry : table.entries)
-    report.expect(0 <= entry.p1 && entry.p1 <= entry.p2, "not 0 <= p1 <= p2");
-}
-
 void expect_classes(Report& report, const Classes& all, const PenaltyTable& table, int width) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const int column = static_cast<int>(i) % (2 * width), y = static_cast<int>(i) / (2 * width);
@@ -83,7 +58,7 @@ void expect_classes(Report& report, const Classes& all, const PenaltyTable& tabl
 void check_penalty_on(Report& report, const Penalty& stage, const ImagePair& pair) {
   const Bytes before = bytes_of(pair);
   const auto field = stage.run(pair, Context{});
-  report.expect(field != nullptr, "there is no penalty field");
+  report.expect_none(Penalty::fault_of(field, pair, Context{}));
   if (field == nullptr) return;
   const auto all_classes = [](const PenaltyField& of, cv::Size size) {
     Classes all;
@@ -95,7 +70,7 @@ void check_penalty_on(Report& report, const Penalty& stage, const ImagePair& pai
   };
   for (const Direction r : directions()) {
     const PenaltyTable table = field->table(r);
-    expect_table(report, table);
+    report.expect_none(fault_of(table));
     const Classes downwards = classes(*field, r, pair.size(), false);
     expect_classes(report, downwards, table, pair.size().width);
     report.expect(downwards == classes(*field, r, pair.size(), true),

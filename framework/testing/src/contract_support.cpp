@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contract_support.hpp"
 
-#include <cmath>
-
 #include "xgm/testing/random.hpp"
 #include "xgm/testing/synthetic.hpp"
 
 namespace xgm::testing::detail {
+namespace {
+
+std::string place_of(int y, int x) {
+  return " (x " + std::to_string(x) + ", y " + std::to_string(y) + ")";
+}
+
+}  // namespace
 
 void Report::with(const std::string& name, const std::function<void()>& body) {
   input_ = name;
@@ -23,10 +28,14 @@ void Report::expect(bool holds, const char* rule) {
 }
 
 void Report::expect(bool holds, const char* rule, int y, int x) {
-  if (!holds) fail(rule, " (x " + std::to_string(x) + ", y " + std::to_string(y) + ")");
+  if (!holds) fail(rule, place_of(y, x));
 }
 
-void Report::fail(const char* rule, const std::string& place) {
+void Report::expect_none(const std::optional<Fault>& fault) {
+  if (fault) fail(fault->rule, fault->pixel ? place_of(fault->pixel->y, fault->pixel->x) : "");
+}
+
+void Report::fail(const std::string& rule, const std::string& place) {
   if (told_.insert(rule).second) violations_.push_back(input_ + ": " + rule + place);
 }
 
@@ -163,19 +172,6 @@ Bytes bytes_of(const CostVolume& volume) { return bytes_of_cells(volume, volume.
 
 Bytes bytes_of(const AggregatedVolume& volume) {
   return bytes_of_cells(volume, volume.fraction_bits);
-}
-
-void expect_sound(Report& report, const DisparityMap& map, cv::Size size) {
-  report.expect(map.disparity.size() == size && map.status.size() == size,
-                "the map does not have the image's size");
-  if (map.disparity.size() != size || map.status.size() != size) return;
-  for (int y = 0; y < size.height; ++y) {
-    for (int x = 0; x < size.width; ++x) {
-      report.expect(map.status(y, x) < kStatusCount, "the status is none there is", y, x);
-      report.expect(std::isfinite(map.disparity(y, x)) == map.has_disparity(y, x),
-                    "disparity and status disagree on whether there is one", y, x);
-    }
-  }
 }
 
 }  // namespace xgm::testing::detail

@@ -5,11 +5,13 @@
 #include <array>
 #include <exception>
 #include <functional>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "xgm/base/parallel.hpp"
+#include "xgm/data/fault.hpp"
 #include "xgm/stage/context.hpp"
 #include "xgm/testing/contract.hpp"
 
@@ -22,10 +24,12 @@ class Report {
   void with(const std::string& name, const std::function<void()>& body);
   void expect(bool holds, const char* rule);
   void expect(bool holds, const char* rule, int y, int x);
+  /// A rule that runs look at, too: see xgm/data/fault.hpp and the kinds' fault_of().
+  void expect_none(const std::optional<Fault>& fault);
   Violations take() { return std::move(violations_); }
 
  private:
-  void fail(const char* rule, const std::string& place);
+  void fail(const std::string& rule, const std::string& place);
 
   std::string input_;
   std::set<std::string> told_;
@@ -59,9 +63,6 @@ Bytes bytes_of(const MatchResult& result);
 Bytes bytes_of(const DisparityRange& range);
 Bytes bytes_of(const CostVolume& volume);
 Bytes bytes_of(const AggregatedVolume& volume);
-
-/// Whether the map has this size, and a finite disparity exactly where its status says so.
-void expect_sound(Report& report, const DisparityMap& map, cv::Size size);
 
 /// What `run` returns, having seen that it does not depend on the number of threads.
 template <class Run>

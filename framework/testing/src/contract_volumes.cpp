@@ -14,7 +14,6 @@ bool can_match(const ImagePair& pair, int y, int x, int d) {
 }
 
 void expect_costs(Report& report, const CostVolume& costs, const ImagePair& pair) {
-  report.expect(costs.max_cost >= 0 && costs.max_cost <= 254, "max_cost is not in 0 to 254");
   each_cell(costs.shape(), [&](int y, int x, int d, int i) {
     const std::uint8_t cost = costs.at(y, x)[i];
     const bool matchable = can_match(pair, y, x, d);
@@ -61,10 +60,7 @@ class PatternPenalties final : public PenaltyField {
 };
 
 void expect_sums(Report& report, const AggregatedVolume& sums, const CostVolume& costs) {
-  report.expect(sums.shape_ptr() == costs.shape_ptr(), "the sums do not have the costs' shape");
   if (sums.shape_ptr() != costs.shape_ptr()) return;
-  report.expect(sums.fraction_bits >= 0 && sums.fraction_bits < 16,
-                "fraction_bits is not in 0..15");
   each_cell(sums.shape(), [&](int y, int x, int, int i) {
     const bool no_cost = costs.at(y, x)[i] == CostVolume::kNoMatch;
     const bool no_sum = sums.at(y, x)[i] == AggregatedVolume::kNoMatch;
@@ -98,6 +94,7 @@ void check_aggregation_on(Report& report, const Aggregation& stage, const Input&
   const AggregatedVolume sums =
       run_with_threads(report, [&] { return stage.run(costs, penalties, Context{}); });
   report.expect(bytes_of(costs) == before, "the costs were changed");
+  report.expect_none(Aggregation::fault_of(sums, costs, penalties, Context{}));
   expect_sums(report, sums, costs);
   if (accepts_ragged && sums.shape_ptr() == costs.shape_ptr())
     expect_same_sums(report, sums,
@@ -116,7 +113,7 @@ Violations check_cost(const Cost& stage) {
       const CostVolume costs =
           run_with_threads(report, [&] { return stage.run(pair, shape, Context{}); });
       report.expect(bytes_of(pair) == before, "the images were changed");
-      report.expect(costs.shape_ptr() == shape, "the volume does not have the shape given");
+      report.expect_none(Cost::fault_of(costs, pair, shape, Context{}));
       if (costs.shape_ptr() != shape) return;
       expect_costs(report, costs, pair);
       for (const float level : {0.0F, 255.0F})

@@ -19,17 +19,27 @@ double line_bytes(const Workload& load, const Pass& pass, const LinesKept& kept)
   return kept.bands * (whole + part) * static_cast<double>(pass.paths.size());
 }
 
+/// Bytes of LinePixels, which all lines keep whole: little beside path costs, unless lines are as
+/// long as strips are.
+double pixel_bytes(const Workload& load, const Pass& pass, const LinesKept& kept) {
+  const double length = PassFrame(load.size, pass.along, pass.across).length();
+  const double of_pixel =
+      3.0 * sizeof(int) + static_cast<double>(pass.paths.size()) * sizeof(Repeated) + 1;
+  return kept.bands * kept.band_lines * length * of_pixel;
+}
+
 /// Bytes of PassPenalties, for penalties with two classes per step and view. Penalties with one
 /// class need less; penalties with more classes need a byte per step.
 double class_bytes(const Workload& load, int rows) {
-  return rows * (2.0 * load.size.width + load.range.size());
+  constexpr double kBehind = 64;  // that vectors read
+  return rows * (2.0 * load.size.width + load.range.size() + kBehind);
 }
 
 double working_bytes(const Workload& load, const Pass& pass) {
   const PassFrame frame(load.size, pass.along, pass.across);
   const LinesKept kept = lines_kept(pass, frame.lines(), load.threads);
   const int rows = frame.lines_are_rows() ? kept.bands * kept.band_lines : load.size.height;
-  return line_bytes(load, pass, kept) + class_bytes(load, rows);
+  return line_bytes(load, pass, kept) + pixel_bytes(load, pass, kept) + class_bytes(load, rows);
 }
 
 }  // namespace

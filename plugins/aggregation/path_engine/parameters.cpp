@@ -7,10 +7,7 @@ void describe(PathParameters& parameters, ParameterSet& set) {
   set.add("directions", parameters.directions,
           "Number of path directions: 4 (along the axes), 8 (and diagonals) or 16 (and knight's "
           "moves).")
-      .range(4, 16);
-  set.rule({"directions"}, "must be 4, 8 or 16", [&parameters] {
-    return parameters.directions == 4 || parameters.directions == 8 || parameters.directions == 16;
-  });
+      .one_of({4, 8, 16});
   set.add("overcounting_correction", parameters.overcounting_correction,
           "Whether a matching cost counts once, not once per direction: S - (N - 1) C "
           "(Drory et al., GCPR 2014).");

@@ -21,10 +21,7 @@ class Census final : public xgm::Cost {
         .odd();
     set.add("window_height", p.window_height, "Height of the window; 0 makes it square.")
         .unit("px")
-        .range(0, 9);
-    set.rule({"window_height"}, "must be 0, 3, 5, 7 or 9", [&p] {
-      return p.window_height == 0 || (p.window_height >= 3 && p.window_height % 2 == 1);
-    });
+        .one_of({0, 3, 5, 7, 9});
   }
 
   explicit Census(const Parameters& p)

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // People's own data, described by patterns of paths.
-#include <cmath>
 #include <filesystem>
 
 #include "plugins/dataset/file_layouts/calib_txt.hpp"
@@ -98,7 +97,9 @@ class Folder final : public Dataset {
     set.add("disparities", p.disparities,
             "Range to search [first, last], both included; without it ndisp of the calibration.")
         .unit("px")
-        .range(-kMax, kMax);
+        .range(-kMax, kMax)
+        .whole()
+        .elements({0, 2});
     set.add("weight", p.weight, "Weight of each scene in averages.").range(kMin, kMax);
     set.add("scale", p.scale,
             "One pixel is so many of the resolution that errors are to be judged in.")
@@ -111,11 +112,8 @@ class Folder final : public Dataset {
       return p.left.empty() || p.right.empty() ||
              folder::has_gap(p.left) == folder::has_gap(p.right);
     });
-    set.rule({"disparities"}, "must be two whole numbers, the first not above the second", [&p] {
-      const auto& d = p.disparities;
-      const auto whole = [](double v) { return v == std::floor(v); };
-      return d.empty() || (d.size() == 2 && whole(d[0]) && whole(d[1]) && d[0] <= d[1]);
-    });
+    set.rule({"disparities"}, "must not begin above their end",
+             [&p] { return p.disparities.empty() || p.disparities[0] <= p.disparities[1]; });
   }
   explicit Folder(Parameters p) : p_(std::move(p)) {}
 

@@ -30,9 +30,7 @@ class Interpolation final : public xgm::Filter {
   static void describe(Parameters& p, xgm::ParameterSet& set) {
     set.add("directions", p.directions,
             "Paths along which each hole looks for disparities: 8, or 16 with knight's moves.")
-        .range(8, 16);
-    set.rule({"directions"}, "must be 8 or 16",
-             [&p] { return p.directions == 8 || p.directions == 16; });
+        .one_of({8, 16});
     set.add_choice(
         "background", p.background,
         "Which disparities of the left map are the far ones: the lowest, or the highest where the "

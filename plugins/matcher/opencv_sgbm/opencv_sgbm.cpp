@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // OpenCV's semi-global matcher, so that a well-known peer runs in our pipelines and tables.
 #include <algorithm>
+#include <limits>
 #include <opencv2/calib3d.hpp>
 #include <string>
 
@@ -70,6 +71,19 @@ class OpenCvSgbm final : public xgm::Matcher, public xgm::StatesNeeds {
         "; narrow the search range or use another matcher");
   }
 
+  /// OpenCV's removal of speckles holds columns and rows in 16 bits, and writes beyond its memory
+  /// if there are more.
+  void check_sides(cv::Size padded) const {
+    constexpr int kMax = std::numeric_limits<short>::max();
+    if (parameters_.speckle_window_size == 0 || std::max(padded.width, padded.height) <= kMax)
+      return;
+    throw xgm::Error("OpenCV's removal of speckles takes images of up to " + std::to_string(kMax) +
+                     " px to a side, but these have " + std::to_string(padded.width) + " x " +
+                     std::to_string(padded.height) +
+                     " with the search range; set speckle_window_size to 0, and let the filter "
+                     "peak_removal do it");
+  }
+
   xgm::MatchResult match(const xgm::ImagePair& pair, xgm::Interval asked,
                          xgm::Interval searched) const {
     namespace cvt = xgm::opencv_sgbm;
@@ -81,6 +95,7 @@ class OpenCvSgbm final : public xgm::Matcher, public xgm::StatesNeeds {
     // OpenCV's result depends on memory that it never set where less than a block is left.
     if (std::min(usable_width, size.height) < parameters_.block_size) return unmatched(pair);
 
+    check_sides({size.width + padding.left + padding.right, size.height});
     cv::Mat1s sixteenths;
     matcher(searched)->compute(cvt::to_8bit(pair.base, padding), cvt::to_8bit(pair.match, padding),
                                sixteenths);
@@ -119,10 +134,10 @@ void OpenCvSgbm::describe(Parameters& p, xgm::ParameterSet& set) {
       .odd();
   set.add("p1", p.p1,
           "Penalty of a disparity step of one; OpenCV advises 8 * channels * block_size^2.")
-      .range(1, 32767);
+      .range(1, 32766);
   set.add("p2", p.p2,
           "Penalty of larger disparity steps; OpenCV advises 32 * channels * block_size^2.")
-      .range(1, 32767);
+      .range(2, 32767);
   set.add("disp12_max_diff", p.disp12_max_diff,
           "Largest difference of the two views' disparities in the left-right check.")
       .unit("px")

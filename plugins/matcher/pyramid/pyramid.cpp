@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Coarse to fine: the map of one level says where the next finer one has to search.
 #include <algorithm>
-#include <bit>
 #include <string>
 
 #include "plugins/matcher/pyramid/halve.hpp"
@@ -27,13 +26,11 @@ class Pyramid final : public xgm::Matcher {
     set.add("scale", p.scale,
             "How many times smaller than the images the coarsest level is; a power of two, 1 for a "
             "single level.")
-        .range(1, 64);
+        .one_of({1, 2, 4, 8, 16, 32, 64});
     set.add("search_range", p.search_range,
             "What the next finer level searches, given the map of the coarser one.")
         .default_stage("min_max");
     set.add("matcher", p.matcher, "Matches each level.");
-    set.rule({"scale"}, "must be a power of two: 1, 2, 4, 8, 16, 32 or 64",
-             [&p] { return std::has_single_bit(static_cast<unsigned>(p.scale)); });
     set.rule({"matcher", "scale"},
              "must take a range per pixel; one that needs one range for the whole image cannot "
              "work here",

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // The top of a stereo pipeline's file: preprocess, matcher, postprocess.
-#include <cmath>
-
 #include "xgm/base/aligned_buffer.hpp"
 #include "xgm/base/memory.hpp"
 #include "xgm/plugin.hpp"
@@ -25,15 +23,14 @@ class Stereo final : public xgm::StereoFamily {
             "Search range [first, last], both included, when neither the command line nor the "
             "scene gives one.")
         .unit("px")
-        .range(-kMaxDisparity, kMaxDisparity);
+        .range(-kMaxDisparity, kMaxDisparity)
+        .whole()
+        .elements({0, 2});
     set.add("preprocess", p.preprocess, "What is done to the images before matching, in order.");
     set.add("matcher", p.matcher, "Finds the disparity map.");
     set.add("postprocess", p.postprocess, "What is done to the finished maps, in order.");
-    set.rule({"disparities"}, "must be two whole numbers, the first not above the second", [&p] {
-      const auto& d = p.disparities;
-      const auto whole = [](double v) { return v == std::floor(v); };
-      return d.empty() || (d.size() == 2 && whole(d[0]) && whole(d[1]) && d[0] <= d[1]);
-    });
+    set.rule({"disparities"}, "must not begin above their end",
+             [&p] { return p.disparities.empty() || p.disparities[0] <= p.disparities[1]; });
   }
 
   explicit Stereo(Parameters parameters) : stages_(std::move(parameters)) {}

@@ -75,8 +75,12 @@ class Meddler final : public Matcher {
  public:
   explicit Meddler(std::shared_ptr<const Matcher> inner) : inner_(std::move(inner)) {}
   MatchResult run(const MatchRequest& request, const Context& context) const override {
-    inner_(context.scope("first"), request);
-    MatchResult result = inner_(context.scope("second"), request);
+    const Interval hull = request.range.hull();  // that what is added to stays in
+    const MatchRequest inside{
+        request.pair, DisparityRange::uniform(request.pair.size(), {hull.begin, hull.end - 1}),
+        std::nullopt};
+    inner_(context.scope("first"), inside);
+    MatchResult result = inner_(context.scope("second"), inside);
     result.forward = result.forward.clone();
     for (float& disparity : result.forward.disparity) disparity += 1;
     return result;

@@ -46,6 +46,54 @@ TEST_CASE("pictures of any size can be made: 1 x 1, empty of disparities, all eq
   }
 }
 
+TEST_CASE("pictures of very large maps are smaller than the maps, and so are their legends") {
+  for (const cv::Size size : {cv::Size(70000, 3), cv::Size(3, 70000), cv::Size(1 << 20, 1)}) {
+    CAPTURE(size.width);
+    DisparityMap map(size);
+    map.disparity.setTo(5);
+    map.status.setTo(static_cast<int>(Status::matched));
+    for (const cv::Mat3b& picture : {disparity_picture(map), status_picture(map)}) {
+      CHECK(std::max(picture.cols, picture.rows) <= Sampling::kMaxSide + 200);
+      CHECK(picture.total() <= 16'384 * 400);
+      CHECK(picture(0, 0) != cv::Vec3b());
+    }
+    CHECK(picture(Image(map.disparity), Sampling::of_picture(size))(0, 0) == cv::Vec3b(5, 5, 5));
+  }
+}
+
+TEST_CASE("a legend grows with the picture, but not beyond the height of a strip") {
+  const auto legend = [](cv::Size size) {
+    return status_picture(DisparityMap(size)).rows - size.height;
+  };
+  const int small = legend({400, 300});
+  CHECK(legend({1600, 1200}) == 2 * small);
+  CHECK(legend({8000, 6000}) == 10 * small);
+  CHECK(legend({8000, 4}) == small);
+  CHECK(legend({8000, 3 * small}) == 3 * small);
+}
+
+TEST_CASE("samples lie in the middle of what they stand for, within the limits of area and sides") {
+  const Sampling all = Sampling::within({7, 5}, 35);
+  CHECK(all.stride == 1);
+  CHECK(all.at(6, 4) == cv::Point(6, 4));
+  const Sampling some = Sampling::within({7, 5}, 6);
+  CHECK(some.stride == 3);
+  CHECK(some.shown() == cv::Size(3, 2));
+  CHECK(some.at(0, 0) == cv::Point(1, 1));
+  CHECK(some.at(2, 1) == cv::Point(6, 4));
+  CHECK(Sampling::within({7, 5}, 0).shown() == cv::Size(1, 1));
+  CHECK(Sampling::within({100000, 1}, 1e6).shown() == cv::Size(100000 / 7 + 1, 1));
+}
+
+TEST_CASE("a smaller picture shows means of blocks, in which masked pixels are black") {
+  Image image(cv::Mat1f((cv::Mat1f(2, 3) << 10, 20, 99, 30, 40, 1)));
+  image.valid = (cv::Mat1b(2, 3) << 255, 255, 255, 255, 0, 255);
+  const cv::Mat3b shown = picture(image, Sampling{image.size(), 2});
+  REQUIRE(shown.size() == cv::Size(2, 1));
+  CHECK(shown(0, 0) == cv::Vec3b(15, 15, 15));
+  CHECK(shown(0, 1) == cv::Vec3b(50, 50, 50));
+}
+
 TEST_CASE("status picture: one colour per status; shares add up to one") {
   DisparityMap map({kStatusCount, 2});
   for (int x = 0; x < kStatusCount; ++x) map.status.col(x) = static_cast<uchar>(x);

@@ -170,6 +170,17 @@ TEST_CASE("opencv_sgbm does not depend on the number of OpenCV's threads") {
   cv::setNumThreads(before);
 }
 
+TEST_CASE("opencv_sgbm refuses to look for speckles in images beyond 16 bits, and matches them") {
+  const auto searching = stage<Matcher>("{type: opencv_sgbm, speckle_window_size: 100}");
+  const auto matching = stage<Matcher>("opencv_sgbm");
+  for (const cv::Size size : {cv::Size(40000, 4), cv::Size(4, 40000)}) {
+    const MatchRequest request{random_pair(size, 1), DisparityRange::uniform(size, {0, 3}), {}};
+    CHECK_THROWS_WITH_AS(searching->run(request, {}),
+                         doctest::Contains("up to 32767 px to a side, but these have"), Error);
+    CHECK(matching->run(request, {}).forward.size() == size);
+  }
+}
+
 TEST_CASE("opencv_sgbm refuses range maps, disparities beyond 16 bits and p2 below p1") {
   const cv::Size size(20, 10);
   const auto matcher = stage<Matcher>("opencv_sgbm");

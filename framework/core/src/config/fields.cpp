@@ -21,15 +21,27 @@ std::string number(double value) {
   return text.str();
 }
 
+std::string choices_text(const Field& field) {
+  std::vector<std::string> texts;
+  for (const double choice : field.choices) texts.push_back(number(choice));
+  return "one of " + join(texts);
+}
+
 std::string range_text(const Field& field) {
   if (!field.minimum) return "";
   return " from " + number(*field.minimum) + " to " + number(*field.maximum);
 }
 
-bool in_range(const Field& field, double value) {
+bool is_allowed(const Field& field, double value) {
   const bool bounded = !field.minimum || (*field.minimum <= value && value <= *field.maximum);
   const bool parity = !field.only_odd || std::fmod(value, 2.0) != 0.0;
-  return std::isfinite(value) && bounded && parity;
+  const bool whole = !field.only_whole || value == std::floor(value);
+  const bool chosen = field.choices.empty() || std::ranges::count(field.choices, value) > 0;
+  return std::isfinite(value) && bounded && parity && whole && chosen;
+}
+
+bool may_have(const Field& field, std::size_t elements) {
+  return field.counts.empty() || std::ranges::count(field.counts, elements) > 0;
 }
 
 // The value of a scalar as T, or nothing. Quoted text is never a number.
@@ -68,6 +80,12 @@ class ValueReader {
     std::vector<double> values(node_.items.size());
     bool good = true;
     for (std::size_t i = 0; i < values.size(); ++i) good &= number_of(node_.items[i], values[i]);
+    if (!may_have(field_, values.size())) {
+      return diagnose(node_,
+                      "'" + field_.name + "' cannot have " + std::to_string(values.size()) +
+                          (values.size() == 1 ? " element" : " elements"),
+                      "give " + expected(field_));
+    }
     if (good) *target = std::move(values);
     return good;
   }
@@ -89,7 +107,7 @@ class ValueReader {
   bool number_of(const Node& node, Number& target) const {
     const auto value = scalar_value<Number>(node);
     if (!value) return wrong_type(node);
-    if (!in_range(field_, static_cast<double>(*value))) {
+    if (!is_allowed(field_, static_cast<double>(*value))) {
       return diagnose(node,
                       "'" + field_.name + "' cannot be " + number(static_cast<double>(*value)),
                       "give " + expected(field_));
@@ -133,12 +151,20 @@ struct Expected {
 
   std::string operator()(const bool*) const { return "true or false"; }
   std::string operator()(const int*) const {
+    if (!field.choices.empty()) return choices_text(field);
     return std::string(field.only_odd ? "an odd" : "a") + " whole number" + range_text(field);
   }
-  std::string operator()(const double*) const { return "a number" + range_text(field); }
+  std::string operator()(const double*) const {
+    return field.choices.empty() ? "a number" + range_text(field) : choices_text(field);
+  }
   std::string operator()(const std::string*) const { return "text"; }
   std::string operator()(const std::vector<double>*) const {
-    return "a list of numbers" + range_text(field);
+    std::string text = "a list of ";
+    for (const std::size_t count : field.counts) {
+      if (count > 0) text += std::to_string(count) + (count == field.counts.back() ? " " : " or ");
+    }
+    text += (field.only_whole ? "whole numbers" : "numbers") + range_text(field);
+    return may_have(field, 0) && !field.counts.empty() ? text + ", or an empty one" : text;
   }
   std::string operator()(const Choice& choice) const { return "one of " + join(choice.names); }
   std::string operator()(const SlotBase* slot) const {

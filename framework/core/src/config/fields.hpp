@@ -16,7 +16,7 @@ bool is_stage_list(const Field& field);
 /// Kind of the stages of a stage field.
 std::string_view stage_kind(const Field& field);
 
-/// "a whole number, odd, from 3 to 9", "one of sgbm, hh", "true or false"
+/// "an odd whole number from 3 to 9", "one of sgbm, hh", "true or false"
 std::string expected(const Field& field);
 
 /// Puts the node's value into the field (not for stage fields). False with a diagnostic if it is of

@@ -22,6 +22,21 @@ Field& Field::odd() {
   return *this;
 }
 
+Field& Field::whole() {
+  only_whole = true;
+  return *this;
+}
+
+Field& Field::one_of(std::initializer_list<double> values) {
+  choices = values;
+  return *this;
+}
+
+Field& Field::elements(std::initializer_list<std::size_t> possible) {
+  counts = possible;
+  return *this;
+}
+
 Field& Field::optional() {
   is_optional = true;
   return *this;

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "plugin/binder.hpp"
+#include "stage/misbehaviour.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/base/file_names.hpp"
 #include "xgm/base/suggest.hpp"
@@ -85,9 +86,25 @@ void note_unusable_files(SceneFiles& scene) {
   note_if_unusable(scene, scene.calibration_file, "mend it, or remove it");
 }
 
+/// What the plugin answers. Whatever it throws becomes an Error that names it.
+template <class Question>
+auto ask(const Named& named, const Question& question) {
+  try {
+    return question(*named.dataset);
+  } catch (...) {
+    rethrow_as_error(place_of(Dataset::kKind, named.name));
+  }
+}
+
+std::string layout_of(const Named& named) {
+  return ask(named, [](const Dataset& dataset) { return dataset.layout(); });
+}
+
 /// The data set's scenes, their names looked after.
 std::vector<SceneFiles> scenes_of(const Named& named, const std::string& folder) {
-  std::vector<SceneFiles> scenes = named.dataset->scenes(folder);
+  std::vector<SceneFiles> scenes =
+      ask(named, [&](const Dataset& dataset) { return dataset.scenes(folder); });
+  require_none(Dataset::fault_of(scenes), place_of(Dataset::kKind, named.name));
   std::sort(scenes.begin(), scenes.end(),
             [](const SceneFiles& a, const SceneFiles& b) { return a.name < b.name; });
   for (std::size_t i = 0; i < scenes.size(); ++i) {
@@ -104,7 +121,7 @@ std::vector<SceneFiles> scenes_that_must_be(const Named& named, const std::strin
   std::vector<SceneFiles> scenes = scenes_of(named, folder);
   if (!scenes.empty()) return scenes;
   throw Error(folder + ": data set " + named.name + " finds no scene here; it looks for " +
-              named.dataset->layout());
+              layout_of(named));
 }
 
 std::vector<SceneFiles> recognised(const std::string& folder, const Registry& registry) {
@@ -112,7 +129,7 @@ std::vector<SceneFiles> recognised(const std::string& folder, const Registry& re
   std::vector<SceneFiles> found;
   std::string layouts;
   for (const Named& named : datasets(registry)) {
-    layouts += "\n  " + named.name + ": " + named.dataset->layout();
+    layouts += "\n  " + named.name + ": " + layout_of(named);
     std::vector<SceneFiles> scenes = scenes_of(named, folder);
     if (scenes.empty()) continue;
     names.push_back(named.name);

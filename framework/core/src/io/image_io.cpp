@@ -131,7 +131,13 @@ namespace {
 
 void write_encoded(const std::string& file, const cv::Mat& image) {
   std::vector<uchar> bytes;
-  if (!cv::imencode(".png", image, bytes)) throw Error(file + ": cannot be encoded as PNG");
+  try {
+    cv::imencode(".png", image, bytes);
+  } catch (const cv::Exception&) {  // the format's limit; what OpenCV says is about its own source
+    throw Error(file + ": " + size_text(image.size()) +
+                " pixels cannot be written as PNG, which has up to 1000000 to a side; match a part "
+                "of the images");
+  }
   write_file(file, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
 }
 

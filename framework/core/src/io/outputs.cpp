@@ -15,6 +15,8 @@ const cv::Scalar kInk(255, 255, 255);
 constexpr int kLegendWidth = 320;  // narrower pictures are widened to this
 constexpr int kLine = 22;          // height of a line of text
 constexpr int kMargin = 8;
+constexpr int kColumns = 2;  // of the statuses' names
+constexpr int kStatusLines = (kStatusCount + 1) / kColumns;
 
 /// Colours that colour-blind readers can tell apart (Okabe and Ito 2008), in the order of Status.
 const std::array<cv::Vec3b, kStatusCount> kStatusColours = {
@@ -22,16 +24,24 @@ const std::array<cv::Vec3b, kStatusCount> kStatusColours = {
     cv::Vec3b(0, 0, 0),     cv::Vec3b(66, 228, 240), cv::Vec3b(178, 114, 0),
     cv::Vec3b(0, 94, 213),  cv::Vec3b(167, 121, 204)};
 
-/// Legends grow with the picture, so that they can be read when it is shown as a whole.
-int legend_scale(int width) { return std::max(1, width / 800); }
+/// A picture of so many pixels at the top left, and a legend of so many lines below.
+struct Layout {
+  cv::Size picture;
+  int lines;
 
-/// A black canvas with `picture` at the top left and room for `lines` lines of text below.
-cv::Mat3b with_room_below(const cv::Mat3b& picture, int lines, int scale) {
-  const int height = scale * (lines * kLine + 2 * kMargin);
-  cv::Mat3b canvas(picture.rows + height, std::max(picture.cols, kLegendWidth), cv::Vec3b());
-  picture.copyTo(canvas(cv::Rect({}, picture.size())));
-  return canvas;
-}
+  /// Legends grow with the picture, so that they can be read when it is shown as a whole; those of
+  /// strips do not become taller than the picture.
+  int scale() const {
+    return std::max(1, std::min(picture.width / 800, picture.height / height()));
+  }
+  cv::Size size() const {
+    return {std::max(picture.width, kLegendWidth), picture.height + scale() * height()};
+  }
+  cv::Mat3b canvas() const { return cv::Mat3b(size(), cv::Vec3b()); }
+
+ private:
+  int height() const { return lines * kLine + 2 * kMargin; }
+};
 
 void write(cv::Mat3b& canvas, const std::string& text, cv::Point left_bottom, int scale) {
   cv::putText(canvas, text, left_bottom, cv::FONT_HERSHEY_SIMPLEX, 0.45 * scale, kInk, scale,
@@ -44,19 +54,26 @@ std::string format(const char* pattern, double value) {
   return text;
 }
 
+/// Calls body(y, x, pixel) for each pixel of the picture, with the one of the map that it shows.
+template <class Body>
+void each_shown(const Sampling& sampling, const Body& body) {
+  const cv::Size size = sampling.shown();
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) body(y, x, sampling.at(x, y));
+  }
+}
+
 struct Span {
   float low = 0;
   float high = 1;
 };
 
-/// Nearly all disparities lie in the span; a few wrong ones do not wash out the rest.
-Span colour_span(const DisparityMap& map) {
+/// Nearly all disparities shown lie in the span; a few wrong ones do not wash out the rest.
+Span colour_span(const DisparityMap& map, const Sampling& sampling) {
   std::vector<float> values;
-  for (int y = 0; y < map.size().height; ++y) {
-    for (int x = 0; x < map.size().width; ++x) {
-      if (map.has_disparity(y, x)) values.push_back(map.disparity(y, x));
-    }
-  }
+  each_shown(sampling, [&](int, int, cv::Point p) {
+    if (map.has_disparity(p.y, p.x)) values.push_back(map.disparity(p));
+  });
   if (values.empty()) return {};
   const auto quantile = [&](double share) {
     const auto rank = std::lround(share * static_cast<double>(values.size() - 1));
@@ -67,20 +84,42 @@ Span colour_span(const DisparityMap& map) {
   return span.high > span.low ? span : Span{span.low - 0.5f, span.low + 0.5f};
 }
 
-cv::Mat3b in_turbo(const cv::Mat1b& levels) {
+/// The 256 colours of "turbo", from far to near.
+cv::Mat3b turbo_colours() {
+  cv::Mat1b levels(1, 256);
+  for (int i = 0; i < levels.cols; ++i) levels(0, i) = static_cast<uchar>(i);
   cv::Mat3b colours;
   cv::applyColorMap(levels, colours, cv::COLORMAP_TURBO);
   return colours;
 }
 
+/// The mean of a block of pixels, black where there are no data.
+cv::Vec3b mean_colour(const Image& image, const cv::Rect& block) {
+  cv::Vec3f sum;
+  for (int y = block.y; y < block.br().y; ++y) {
+    for (int x = block.x; x < block.br().x; ++x) {
+      if (!image.is_valid(y, x)) continue;
+      for (int c = 0; c < 3; ++c) {
+        sum[c] += image.planes[image.planes.size() == 3 ? static_cast<std::size_t>(c) : 0](y, x);
+      }
+    }
+  }
+  cv::Vec3b mean;
+  for (int c = 0; c < 3; ++c) {
+    mean[c] = cv::saturate_cast<uchar>(sum[c] / static_cast<float>(block.area()));
+  }
+  return mean;
+}
+
 /// A colour bar with five numbers: where on the bar a number stands is where its value lies.
 void draw_bar(cv::Mat3b& canvas, int top, const Span& span, int scale) {
   const int margin = kMargin * scale;
-  cv::Mat1b ramp(kLine * scale, canvas.cols - 2 * margin);
+  const cv::Mat3b turbo = turbo_colours();
+  cv::Mat3b ramp = canvas(cv::Rect(margin, top + margin, canvas.cols - 2 * margin, kLine * scale));
   for (int x = 0; x < ramp.cols; ++x) {
-    ramp.col(x) = cv::saturate_cast<uchar>(255.0 * x / std::max(1, ramp.cols - 1));
+    const auto level = cv::saturate_cast<uchar>(255.0 * x / std::max(1, ramp.cols - 1));
+    ramp.col(x).setTo(cv::Scalar(turbo(0, level)));
   }
-  in_turbo(ramp).copyTo(canvas(cv::Rect({margin, top + margin}, ramp.size())));
   constexpr int kSteps = 4;
   for (int i = 0; i <= kSteps; ++i) {
     const double value = span.low + (span.high - span.low) * static_cast<double>(i) / kSteps;
@@ -96,43 +135,42 @@ void draw_bar(cv::Mat3b& canvas, int top, const Span& span, int scale) {
 }  // namespace
 
 cv::Mat3b disparity_picture(const DisparityMap& map) {
-  const Span span = colour_span(map);
-  cv::Mat1b levels(map.size(), uchar{0});
-  cv::Mat1b missing(map.size(), uchar{0});
-  for (int y = 0; y < levels.rows; ++y) {
-    for (int x = 0; x < levels.cols; ++x) {
-      missing(y, x) = map.has_disparity(y, x) ? 0 : 255;
-      if (missing(y, x)) continue;
-      const float share = (map.disparity(y, x) - span.low) / (span.high - span.low);
-      levels(y, x) = cv::saturate_cast<uchar>(255 * share);
-    }
-  }
-  cv::Mat3b colours = in_turbo(levels);
-  colours.setTo(cv::Scalar(), missing);
-  const int scale = legend_scale(map.size().width);
-  cv::Mat3b canvas = with_room_below(colours, 2, scale);
+  const Sampling sampling = Sampling::of_picture(map.size());
+  const Span span = colour_span(map, sampling);
+  const cv::Mat3b turbo = turbo_colours();
+  const Layout layout{sampling.shown(), 2};
+  cv::Mat3b canvas = layout.canvas();
+  each_shown(sampling, [&](int y, int x, cv::Point p) {
+    if (!map.has_disparity(p.y, p.x)) return;
+    const float share = (map.disparity(p) - span.low) / (span.high - span.low);
+    canvas(y, x) = turbo(0, cv::saturate_cast<uchar>(255 * share));
+  });
+  const int top = layout.picture.height, scale = layout.scale();
   if (map.density() > 0) {
-    draw_bar(canvas, colours.rows, span, scale);
+    draw_bar(canvas, top, span, scale);
   } else {
-    write(canvas, "no disparity anywhere", {kMargin, colours.rows + kLine * scale}, scale);
+    write(canvas, "no disparity anywhere", {kMargin, top + kLine * scale}, scale);
   }
   return canvas;
+}
+
+cv::Size picture_size(cv::Size map) {
+  return Layout{Sampling::of_picture(map).shown(), kStatusLines}.size();  // the longer legend
 }
 
 cv::Vec3b status_colour(Status status) { return kStatusColours[static_cast<std::size_t>(status)]; }
 
 cv::Mat3b status_picture(const DisparityMap& map) {
-  cv::Mat3b colours(map.size());
-  for (int y = 0; y < colours.rows; ++y) {
-    for (int x = 0; x < colours.cols; ++x) colours(y, x) = kStatusColours[map.status(y, x)];
-  }
-  const int scale = legend_scale(map.size().width);
+  const Sampling sampling = Sampling::of_picture(map.size());
+  const Layout layout{sampling.shown(), kStatusLines};
+  cv::Mat3b canvas = layout.canvas();
+  each_shown(sampling,
+             [&](int y, int x, cv::Point p) { canvas(y, x) = status_colour(map.at(p.y, p.x)); });
+  const int scale = layout.scale();
   const auto shares = status_shares(map);
-  constexpr int kColumns = 2;
-  cv::Mat3b canvas = with_room_below(colours, (kStatusCount + 1) / kColumns, scale);
   for (int i = 0; i < kStatusCount; ++i) {
     const int left = kMargin * scale + i % kColumns * (kLegendWidth / kColumns * scale);
-    const int top = colours.rows + (kMargin + i / kColumns * kLine) * scale;
+    const int top = layout.picture.height + (kMargin + i / kColumns * kLine) * scale;
     const cv::Rect box(left, top + 4 * scale, 12 * scale, 12 * scale);
     cv::rectangle(canvas, box, cv::Scalar(kStatusColours[static_cast<std::size_t>(i)]), cv::FILLED);
     cv::rectangle(canvas, box, kInk, 1);  // black and dark boxes would not be seen
@@ -143,16 +181,18 @@ cv::Mat3b status_picture(const DisparityMap& map) {
   return canvas;
 }
 
-cv::Mat3b picture(const Image& image) {
-  std::vector<cv::Mat1b> levels;
-  for (int c = 0; c < 3; ++c) {
-    const cv::Mat1f& plane =
-        image.planes[image.planes.size() == 3 ? static_cast<std::size_t>(c) : 0];
-    plane.convertTo(levels.emplace_back(), CV_8U);
+cv::Mat3b picture(const Image& image) { return picture(image, Sampling{image.size()}); }
+
+cv::Mat3b picture(const Image& image, const Sampling& sampling) {
+  cv::Mat3b result(sampling.shown());
+  const cv::Rect all({}, image.size());
+  const int stride = sampling.stride;
+  for (int y = 0; y < result.rows; ++y) {
+    for (int x = 0; x < result.cols; ++x) {
+      const cv::Rect block = cv::Rect(x * stride, y * stride, stride, stride) & all;
+      result(y, x) = mean_colour(image, block);
+    }
   }
-  cv::Mat3b result;
-  cv::merge(levels, result);
-  if (!image.valid.empty()) result.setTo(cv::Scalar(), image.valid == 0);
   return result;
 }
 

@@ -19,4 +19,11 @@ void write_maps(const std::string& folder, const DisparityMap& map) {
   write_png(in(statuses), status_picture(map));
 }
 
+double bytes_to_write_maps(cv::Size size) {
+  // What is shown of the map as it is encoded, and the numbers whose quantiles the colours span,
+  // each in a buffer that grows to twice its size; legends are encoded in next to nothing.
+  constexpr double kCanvas = 3, kShown = 2 * (3 + sizeof(float));
+  return kCanvas * picture_size(size).area() + kShown * Sampling::of_picture(size).shown().area();
+}
+
 }  // namespace xgm

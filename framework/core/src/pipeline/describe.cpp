@@ -32,6 +32,9 @@ Json field_json(const Field& field) {
   if (!field.unit_name.empty()) json["unit"] = field.unit_name;
   if (field.minimum) json["range"] = {*field.minimum, *field.maximum};
   if (field.only_odd) json["odd"] = true;
+  if (field.only_whole) json["whole"] = true;
+  if (!field.counts.empty()) json["counts"] = field.counts;
+  if (!field.choices.empty()) json["choices"] = field.choices;
   if (const auto* choice = std::get_if<Choice>(&field.target)) json["choices"] = choice->names;
   if (is_stage(field) || is_stage_list(field)) {
     json["kind"] = stage_kind(field);

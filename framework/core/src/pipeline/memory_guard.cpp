@@ -38,7 +38,7 @@ std::string guard_memory(const Pipeline& pipeline, const MatchRequest& match,
   const double free =
       static_cast<double>(available_memory()) + static_cast<double>(resident_memory());
   if (!limit && usual_bytes(request.load) <= free) return {};
-  const RunTrace trace = RunTrace::of_reduced(pipeline, match, options);
+  const RunTrace trace = RunTrace::of_memory(pipeline, match, options);
   const RunPlan plan = plan_run(trace, request);
   if (plan.peak_bytes <= limit.value_or(free)) return {};
   const std::string needed = text_of(request.load, plan);

@@ -10,15 +10,18 @@
 #include "pipeline/graph.hpp"
 #include "pipeline/overrides.hpp"
 #include "plugin/binder.hpp"
+#include "stage/misbehaviour.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/base/json.hpp"
 #include "xgm/base/parallel.hpp"
 #include "xgm/base/simd.hpp"
+#include "xgm/stage/matcher.hpp"
 
 namespace xgm {
 
 struct Pipeline::Impl {
   std::string file;
+  std::string family_name;
   std::shared_ptr<const Stage> family;
   Json resolved;
 };
@@ -32,6 +35,19 @@ void check_request(const MatchRequest& request) {
   }
   if (request.range.hull().empty()) {
     throw UsageError("the search range is empty; give at least one disparity");
+  }
+}
+
+/// Stages call each other by slots, which look at results and exceptions; here nothing does.
+MatchResult run_family(const StereoFamily& family, const std::string& name,
+                       const MatchRequest& request, const Context& context) {
+  const StagePlace place = place_of(PipelineFamily::kKind, name);
+  try {
+    MatchResult result = family.run(request, context);
+    require_none(StereoFamily::fault_of(result, request, context), place);
+    return result;
+  } catch (...) {
+    rethrow_as_error(place);
   }
 }
 
@@ -55,9 +71,10 @@ MatchResult Pipeline::run(const MatchRequest& request, const RunOptions& options
   const ThreadLimit limit(options.threads);
   const SimdChoice simd(options.simd);
   const RunChange run(with_stop(run_state(), options.stop));
-  const Context context(options.observer, run.state.stop, request.pair.is_reverse);
+  Context context(options.observer, run.state.stop, request.pair.is_reverse);
+  context.take_view(request);
   context.throw_if_cancelled();
-  return stereo->run(request, context);
+  return run_family(*stereo, impl_->family_name, request, context);
 }
 
 const Stage& Pipeline::family() const { return *impl_->family; }
@@ -97,7 +114,7 @@ struct PipelineLoader {
       if (diagnostics.empty()) {
         Pipeline pipeline;
         pipeline.impl_ = std::make_shared<Pipeline::Impl>(
-            Pipeline::Impl{name, std::move(bound.stage), std::move(bound.resolved)});
+            Pipeline::Impl{name, bound.plugin, std::move(bound.stage), std::move(bound.resolved)});
         result.pipeline = std::move(pipeline);
       }
     }

@@ -45,7 +45,10 @@ std::map<std::string, double> speeds(const RunTrace& trace) {
 class Walk {
  public:
   Walk(const RunTrace& trace, const PlanRequest& request, PlanLedger& ledger)
-      : calls_(trace.calls()), scale_(trace, request.load), ledger_(ledger) {
+      : calls_(trace.calls()),
+        scale_(trace, request.load),
+        besides_(request.besides),
+        ledger_(ledger) {
     held_.resize(calls_.buffers.size());
     last_take_.resize(calls_.buffers.size(), -1);
     for (const Event& event : calls_.events) {
@@ -68,6 +71,7 @@ class Walk {
           break;
       }
     }
+    ledger_.add(besides_.after, 0);
   }
 
  private:
@@ -114,6 +118,8 @@ class Walk {
       const bool passing = calls_.buffers[b].kind != Buffer::Kind::pixels && last_take_[b] == i;
       if (held_[b].now && (held_[b].holder == i || passing)) release(held_[b]);
     }
+    if (is_level(call(i)))
+      ledger_.add(besides_.level_pixel * ledger_.stages[at(i)].load.pixels(), 0);
     if (call(i).parent >= 0) return;
     // As Pipeline::run() does: key points leave hundreds of MB behind, volumes wait for the next.
     if (call(i).is_matcher) {
@@ -123,6 +129,13 @@ class Walk {
     }
   }
 
+  /// Whether it is the matcher of a level's base view, which a level has one of.
+  bool is_level(const trace::Call& seen) const {
+    const StagePlace& place = seen.place;
+    if (!seen.is_matcher || place.level.name.empty() || place.view != View::forward) return false;
+    return seen.parent < 0 || call(seen.parent).place.level.path != place.level.path;
+  }
+
   void release(Held& held) {
     held.now = false;
     ledger_.add(-held.heap, -held.volumes);
@@ -130,6 +143,7 @@ class Walk {
 
   const RunTrace::Calls& calls_;
   trace::Scale scale_;
+  Besides besides_;
   PlanLedger& ledger_;
   std::vector<Held> held_;
   std::vector<int> last_take_;  ///< of each buffer, the call that was given it last

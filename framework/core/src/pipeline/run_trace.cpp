@@ -10,6 +10,7 @@
 #include "pipeline/trace.hpp"
 #include "xgm/base/aligned_buffer.hpp"
 #include "xgm/base/parallel.hpp"
+#include "xgm/data/interval_mapping.hpp"
 
 namespace xgm {
 namespace {
@@ -87,13 +88,13 @@ Image reduced(const Image& image, cv::Size size) {
   return small;
 }
 
-/// The whole question, so many times smaller, for which all pixels have one range.
-MatchRequest reduced(const MatchRequest& request, int factor) {
+/// The whole question, several times smaller, for which all pixels have one range.
+MatchRequest reduced(const MatchRequest& request) {
   const cv::Size full = request.pair.size();
+  int factor = 2;
+  while (double(full.area()) / (factor * factor) > kMaxPixels) factor *= 2;
   const cv::Size size(std::max(1, full.width / factor), std::max(1, full.height / factor));
-  const Interval hull = request.range.hull();
-  const Interval range{static_cast<int>(std::floor(double(hull.begin) / factor)),
-                       static_cast<int>(std::ceil(double(hull.end - 1) / factor)) + 1};
+  const Interval range = divided(request.range.hull(), factor);
   return {{reduced(request.pair.base, size), reduced(request.pair.match, size),
            request.pair.is_reverse},
           DisparityRange::uniform(size, range),
@@ -102,36 +103,42 @@ MatchRequest reduced(const MatchRequest& request, int factor) {
 
 }  // namespace
 
-RunTrace RunTrace::of_whole(const Pipeline& pipeline, const MatchRequest& request,
-                            const RunOptions& options) {
-  const Workload load =
-      workload_of(request, options.threads > 0 ? options.threads : thread_count());
-  const BufferReuse reuse;  // so that the second run waits for no memory, as little as a large one
-  RunOptions watched = options;
-  watched.observer = nullptr;
-  pipeline.run(request, watched);
-  trace::Tracer tracer(load);
-  watched.observer = &tracer;
-  pipeline.run(request, watched);
-  const auto calls = std::make_shared<RunTrace::Calls>();
+std::shared_ptr<RunTrace::Calls> RunTrace::watch(const Pipeline& pipeline,
+                                                 const MatchRequest& request, RunOptions options) {
+  const auto calls = std::make_shared<Calls>();
   calls->pipeline = pipeline;
-  calls->load = load;
+  calls->load = workload_of(request, options.threads > 0 ? options.threads : thread_count());
+  trace::Tracer tracer(calls->load);
+  options.observer = &tracer;
+  pipeline.run(request, options);
   calls->calls = tracer.take_calls();
   calls->buffers = tracer.take_buffers();
   calls->events = tracer.take_events();
-  calls->bandwidth = measure_bandwidth(load.threads);
-  RunTrace seen;
-  seen.narrowing = fit(calls->calls, load.range);
-  seen.calls_ = calls;
-  return seen;
+  return calls;
+}
+
+RunTrace::RunTrace(std::shared_ptr<const Calls> calls)
+    : narrowing(fit(calls->calls, calls->load.range)), calls_(std::move(calls)) {}
+
+RunTrace RunTrace::of_whole(const Pipeline& pipeline, const MatchRequest& request,
+                            const RunOptions& options) {
+  const BufferReuse reuse;  // so that the second run waits for no memory, as little as a large one
+  RunOptions unwatched = options;
+  unwatched.observer = nullptr;
+  pipeline.run(request, unwatched);
+  const auto calls = watch(pipeline, request, options);
+  calls->bandwidth = measure_bandwidth(calls->load.threads);
+  return RunTrace(calls);
 }
 
 RunTrace RunTrace::of_reduced(const Pipeline& pipeline, const MatchRequest& request,
                               const RunOptions& options) {
-  const double pixels = request.pair.size().area();
-  int factor = 2;
-  while (pixels / (factor * factor) > kMaxPixels) factor *= 2;
-  return of_whole(pipeline, reduced(request, factor), options);
+  return of_whole(pipeline, reduced(request), options);
+}
+
+RunTrace RunTrace::of_memory(const Pipeline& pipeline, const MatchRequest& request,
+                             const RunOptions& options) {
+  return RunTrace(watch(pipeline, reduced(request), options));
 }
 
 }  // namespace xgm

@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stage/misbehaviour.hpp"
+#include "xgm/base/error.hpp"
+#include "xgm/data/interval_mapping.hpp"
+
 namespace xgm::trace {
 namespace {
 
@@ -13,14 +17,23 @@ cv::Size divided(cv::Size size, double scale) {
   return {divided(size.width, scale), divided(size.height, scale)};
 }
 
-/// The range at a level: its ends rounded outwards.
-Interval divided(Interval range, double scale) {
-  if (range.empty()) return {};
-  return {static_cast<int>(std::floor(range.begin / scale)),
-          static_cast<int>(std::ceil((range.end - 1) / scale)) + 1};
-}
-
 double ratio(double a, double b) { return b > 0 ? a / b : 0; }
+
+/// What a stage says of itself, if it can be used.
+Needs stated(const StatesNeeds& stage, const Workload& load, const StagePlace& place) {
+  try {
+    const Needs needs = stage.needs(load);
+    for (const double number : {needs.working, needs.updates, needs.moved}) {
+      if (std::isfinite(number) && number >= 0) continue;
+      throw Error(name_of(place) +
+                  " states needs that are no numbers of 0 or more; correct the "
+                  "plugin, or use another one");
+    }
+    return needs;
+  } catch (...) {
+    rethrow_as_error(place);
+  }
+}
 
 }  // namespace
 
@@ -61,8 +74,8 @@ Workload Scale::load(const Call& call) const {
 /// much again as it returns of these; a matcher whose stages cannot be seen, costs and sums of all
 /// that it searches. Its work is a look at every cell of its volumes, else at every pixel.
 Needs Scale::needs(const Call& call, const Workload& load) const {
-  if (const auto* stated = dynamic_cast<const StatesNeeds*>(call.place.stage)) {
-    return stated->needs(load);
+  if (const auto* stating = dynamic_cast<const StatesNeeds*>(call.place.stage)) {
+    return stated(*stating, load, call.place);
   }
   if (!call.is_leaf) return {.updates = load.pixels()};
   constexpr double kCostsAndSums = 3;

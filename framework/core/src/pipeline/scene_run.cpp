@@ -30,7 +30,8 @@ void guard(const Pipeline& pipeline, const MatchRequest& request, const SceneInp
            const RunOptions& options, Observer& observer) {
   const int threads = options.threads > 0 ? options.threads : thread_count();
   const PlanRequest plan{.load = workload_of(request, threads),
-                         .truth = !inputs.scene.truth.disparity.empty()};
+                         .truth = !inputs.scene.truth.disparity.empty(),
+                         .besides = inputs.besides};
   const std::string warning = guard_memory(pipeline, request, plan, inputs.memory_limit, options);
   if (!warning.empty()) observer.log(LogLevel::warning, {}, warning);
 }

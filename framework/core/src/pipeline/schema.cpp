@@ -20,6 +20,16 @@ Json number(const Field& field, const char* type) {
     json["maximum"] = *field.maximum;
   }
   if (field.only_odd) json["not"] = {{"multipleOf", 2}};
+  if (field.choices.empty()) return json;
+  for (const double choice : field.choices) json["enum"].push_back(choice);
+  return json;
+}
+
+Json list(const Field& field) {
+  Json json{{"type", "array"}, {"items", number(field, field.only_whole ? "integer" : "number")}};
+  for (const std::size_t count : field.counts) {
+    json["anyOf"].push_back({{"minItems", count}, {"maxItems", count}});
+  }
   return json;
 }
 
@@ -29,10 +39,9 @@ struct Describe {
   Json operator()(const bool*) const { return {{"type", "boolean"}}; }
   Json operator()(const int*) const { return number(field, "integer"); }
   Json operator()(const double*) const { return number(field, "number"); }
-  Json operator()(const std::string*) const { return {{"type", "string"}}; }
-  Json operator()(const std::vector<double>*) const {
-    return {{"type", "array"}, {"items", number(field, "number")}};
-  }
+  // Whatever is written there is text, also what looks like a number.
+  Json operator()(const std::string*) const { return {{"type", {"string", "number", "boolean"}}}; }
+  Json operator()(const std::vector<double>*) const { return list(field); }
   Json operator()(const Choice& choice) const { return {{"enum", choice.names}}; }
   Json operator()(const SlotBase* slot) const {
     if (!field.is_optional && field.default_stage_name.empty()) return reference(slot->kind());

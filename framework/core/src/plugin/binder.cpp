@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "config/fields.hpp"
+#include "stage/misbehaviour.hpp"
+#include "xgm/base/error.hpp"
 #include "xgm/base/scalar.hpp"
 #include "xgm/base/suggest.hpp"
 #include "xgm/stage/pipeline.hpp"
@@ -50,15 +52,17 @@ Binder::BoundStage Binder::stage(const Node& node, std::string_view kind) {
   const PluginInfo* plugin = find_plugin(name, kind);
   if (plugin == nullptr) return {};
 
-  const std::unique_ptr<Prototype> prototype = plugin->prototype();
   Node none;
   none.kind = Node::Kind::map;
   none.where = node.where;
-  BoundFields bound =
-      fields(node.is_map() ? node : none, prototype->parameters(), plugin->name, {"type"});
   BoundStage result{nullptr, plugin->name, {{"type", plugin->name}}};
-  result.resolved.update(bound.resolved);
-  if (bound.good) result.stage = prototype->build();
+  with_plugin(*plugin, name.where, [&] {
+    const std::unique_ptr<Prototype> prototype = plugin->prototype();
+    BoundFields bound =
+        fields(node.is_map() ? node : none, prototype->parameters(), plugin->name, {"type"});
+    result.resolved.update(bound.resolved);
+    if (bound.good) result.stage = prototype->build();
+  });
   return result;
 }
 
@@ -73,16 +77,31 @@ Binder::BoundStage Binder::pipeline(const Node& root) {
   }
   const PluginInfo* family = find_plugin(name, PipelineFamily::kKind);
   if (family == nullptr) return {};
-  const std::unique_ptr<Prototype> prototype = family->prototype();
   int version = 1;
-  prototype->parameters().add("xgm", version, "Version of the file format.").range(1, 1);
-  BoundFields bound = fields(root, prototype->parameters(), "a pipeline", {"type"});
   BoundStage result{nullptr, family->name, {{"xgm", version}}};
   if (type != nullptr) result.resolved["type"] = family->name;
-  bound.resolved.erase("xgm");
-  result.resolved.update(bound.resolved);
-  if (bound.good) result.stage = prototype->build();
+  with_plugin(*family, name.where, [&] {
+    const std::unique_ptr<Prototype> prototype = family->prototype();
+    prototype->parameters().add("xgm", version, "Version of the file format.").range(1, 1);
+    BoundFields bound = fields(root, prototype->parameters(), "a pipeline", {"type"});
+    bound.resolved.erase("xgm");
+    result.resolved.update(bound.resolved);
+    if (bound.good) result.stage = prototype->build();
+  });
   return result;
+}
+
+template <class Body>
+void Binder::with_plugin(const PluginInfo& plugin, const Location& where, const Body& body) {
+  try {
+    try {
+      body();
+    } catch (...) {
+      rethrow_as_error(place_of(plugin.kind, plugin.name));
+    }
+  } catch (const Error& error) {
+    diagnose(where, error.message(), "");
+  }
 }
 
 const PluginInfo* Binder::find_plugin(const Node& name, std::string_view kind) {

@@ -49,6 +49,9 @@ class Binder {
   bool bind_slot(const Field& field, SlotBase& slot, const Node& node, const std::string& place,
                  Json& resolved);
   bool bind_list(const Field& field, const Node& node, Json& resolved);
+  /// Calls `body`, which runs code of the plugin: what it throws is a diagnostic.
+  template <class Body>
+  void with_plugin(const PluginInfo& plugin, const Location& where, const Body& body);
   void diagnose(const Location& where, std::string message, std::string remedy);
 
   const Registry& registry_;

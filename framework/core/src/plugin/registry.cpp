@@ -4,9 +4,25 @@
 #include <algorithm>
 
 #include "plugin/core_kinds.hpp"
+#include "stage/misbehaviour.hpp"
 #include "xgm/base/error.hpp"
 
 namespace xgm {
+
+namespace {
+
+/// The same, but what describe() of the plugin throws is an Error that names the plugin.
+std::function<std::unique_ptr<Prototype>()> guarded(const PluginInfo& info) {
+  return [make = info.prototype, place = place_of(info.kind, info.name)] {
+    try {
+      return make();
+    } catch (...) {
+      rethrow_as_error(place);
+    }
+  };
+}
+
+}  // namespace
 
 namespace builtin {
 void add_all(Registry& registry);  // generated
@@ -44,6 +60,7 @@ void Registry::add(PluginInfo info) {
     throw Error("there is already a " + info.kind + " called '" + info.name + "' (" +
                 (origin.empty() ? "built in" : origin) + "); choose another name");
   }
+  info.prototype = guarded(info);
   plugins_.emplace(std::move(key), std::move(info));
 }
 

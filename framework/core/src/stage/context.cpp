@@ -2,9 +2,10 @@
 #include "xgm/stage/context.hpp"
 
 #include <chrono>
-#include <new>
 
+#include "stage/misbehaviour.hpp"
 #include "xgm/base/error.hpp"
+#include "xgm/data/interval_mapping.hpp"
 #include "xgm/stage/stage.hpp"
 
 namespace xgm {
@@ -42,12 +43,16 @@ Context Context::scope(std::string_view name) const {
 Context Context::level(std::string_view name, double scale) const {
   Context inner = scope(name);
   inner.place_.level = {std::string(name), place_.level.scale * scale, inner.path()};
+  for (std::optional<Interval>* searched : {&inner.searched_, &inner.searched_by_other_}) {
+    if (*searched) *searched = divided(**searched, scale);
+  }
   return inner;
 }
 
 Context Context::other_view(std::string_view name) const {
   Context inner = scope(name);
   inner.place_.view = place_.view == View::forward ? View::reverse : View::forward;
+  std::swap(inner.searched_, inner.searched_by_other_);
   return inner;
 }
 
@@ -67,6 +72,17 @@ Context Context::inside(std::string_view field, std::string_view kind, const std
   inner.place_.plugin = plugin;
   inner.place_.stage = &stage;
   return inner;
+}
+
+void Context::take_view(const MatchRequest& request) {
+  take_view(request.pair);
+  searched_ = request.range.hull();
+  searched_by_other_ =
+      request.reverse_range ? request.reverse_range->hull() : reversed(request.range.hull());
+}
+
+void Context::require_none(const std::optional<Fault>& fault) const {
+  xgm::require_none(fault, place_);
 }
 
 void Context::log(LogLevel level, const std::string& text) const {
@@ -121,20 +137,6 @@ void Context::StageRun::finish(std::size_t bytes, const Artifact& result) const 
   context_.progress(1);
 }
 
-void Context::StageRun::rethrow() const {
-  try {
-    throw;
-  } catch (const Cancelled&) {
-    throw;
-  } catch (const Error& error) {
-    if (!error.stage_path().empty()) throw;
-    throw Error(context_.path(), error.message());
-  } catch (const std::bad_alloc&) {
-    throw Error(context_.path(),
-                "not enough memory; use a smaller image, a narrower disparity range or a pyramid");
-  } catch (const std::exception& error) {
-    throw Error(context_.path(), error.what());
-  }
-}
+void Context::StageRun::rethrow() const { rethrow_as_error(context_.place_); }
 
 }  // namespace xgm

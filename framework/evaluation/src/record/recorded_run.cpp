@@ -63,6 +63,14 @@ class Watchers {
   Observers all;
 };
 
+Besides besides_of(const RecordRequest& request, cv::Size size) {
+  Besides besides{.after = bytes_to_write_maps(size)};
+  if (!request.report) return besides;
+  besides.level_pixel = LevelCollector::kBytesPerPixel;
+  besides.after += bytes_to_report(size);
+  return besides;
+}
+
 void describe_run(RunRecord& record, const SceneRun& run, const Watchers& watchers) {
   record.scene = run.scene.name;
   record.inputs = run.scene.inputs;
@@ -83,7 +91,6 @@ void describe_map(RunRecord& record, const SceneRun& run) {
   if (!run.scene.truth.disparity.empty()) {
     record.truth = evaluate_regions(map, run.scene.truth, {.deltas = usual_thresholds()});
   }
-  record.peak_memory_bytes = peak_memory();
 }
 
 std::string failure_of(const RunRecord& record) {
@@ -145,7 +152,9 @@ void write_files(RecordedRun& result, const RecordRequest& request, const Watche
   const std::string explanations =
       watchers.explainer ? to_json(watchers.explainer->explanations()) : "";
   if (!explanations.empty()) write_file(folder.file(kExplanationsFile), explanations);
+  result.record.peak_memory_bytes = peak_memory();
   if (request.report) write_report(folder.file(kReportFile), result, watchers, explanations);
+  result.record.peak_memory_bytes = peak_memory();
   result.record.outputs = folder.outputs();
   write_file(folder.file(kRecordFile), to_json(result.record));
   folder.end();
@@ -172,6 +181,7 @@ RecordedRun record_scene(const Pipeline& pipeline, const SceneRequest& scene,
   request.tell("reading the images");
   SceneInputs inputs = read_scene(scene, pipeline);
   require_cameras_of_size(depth, scene, inputs.scene.pair.size());
+  inputs.besides = besides_of(request, inputs.scene.pair.size());
   Watchers watchers(request, inputs.scene, folder, options.observer);
   RunOptions watched = options;
   watched.observer = &watchers.all;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/encode.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <opencv2/imgcodecs.hpp>
 
@@ -36,12 +37,6 @@ Bounds bounds_of(const cv::Mat1f& values) {
 }
 
 }  // namespace
-
-Sampling Sampling::within(cv::Size full, double pixels) {
-  Sampling sampling{full, 1};
-  while (sampling.shown().area() > pixels && sampling.shown().area() > 1) ++sampling.stride;
-  return sampling;
-}
 
 std::string base64(const std::vector<uchar>& bytes) {
   static constexpr char kDigits[] =

@@ -2,40 +2,15 @@
 // Maps and pictures as text inside a page.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <opencv2/core.hpp>
 #include <string>
 #include <vector>
 
 #include "xgm/base/json.hpp"
+#include "xgm/io/sampling.hpp"
 
 namespace xgm::report {
-
-/// Every stride-th pixel of an image, from the middle of its stride: pages show real values of
-/// fewer pixels rather than means over edges.
-struct Sampling {
-  cv::Size full;
-  int stride = 1;
-
-  /// The smallest stride that leaves at most `pixels` pixels.
-  static Sampling within(cv::Size full, double pixels);
-  cv::Size shown() const { return {shorter(full.width), shorter(full.height)}; }
-  cv::Point at(int x, int y) const { return {middle(x, full.width), middle(y, full.height)}; }
-
- private:
-  int shorter(int n) const { return (n + stride - 1) / stride; }
-  int middle(int i, int n) const { return std::min(i * stride + stride / 2, n - 1); }
-};
-
-template <class Pixel>
-cv::Mat_<Pixel> sampled(const cv::Mat_<Pixel>& map, const Sampling& sampling) {
-  cv::Mat_<Pixel> result(sampling.shown());
-  for (int y = 0; y < result.rows; ++y) {
-    for (int x = 0; x < result.cols; ++x) result(y, x) = map(sampling.at(x, y));
-  }
-  return result;
-}
 
 std::string base64(const std::vector<uchar>& bytes);
 

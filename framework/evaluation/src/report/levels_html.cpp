@@ -22,9 +22,8 @@ Row row_of(const ReportLevel& level, const Json& record) {
           std::to_string(level.map.size().width) + " × " + std::to_string(level.map.size().height)};
   if (level.range) {
     const Interval hull = level.range->hull();
-    const double mean = cv::mean(range_maps(*level.range).count)[0];
     row.push_back(std::to_string(hull.begin) + " to " + std::to_string(hull.end - 1));
-    row.push_back(number(mean, 1));
+    row.push_back(number(mean_count(*level.range), 1));
   } else {
     row.insert(row.end(), 2, "–");
   }
@@ -42,7 +41,7 @@ std::string disparity_figure(const ReportLevel& level, const Span& span, const S
 }
 
 std::string range_figure(const ReportLevel& level, const Sampling& sampling) {
-  cv::Mat1f counts = sampled(range_maps(*level.range).count, sampling);
+  cv::Mat1f counts = range_maps(*level.range, sampling).count;
   double maximum = 1;
   cv::minMaxLoc(counts, nullptr, &maximum);
   counts.setTo(std::nanf(""), counts == 0);

@@ -10,6 +10,12 @@ namespace {
 constexpr std::uint8_t kVisible = 255;
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 
+/// |disparity - truth|, px; NaN where either is missing.
+float error_at(const DisparityMap& map, const cv::Mat1f& truth, cv::Point p) {
+  if (!map.has_disparity(p.y, p.x) || !std::isfinite(truth(p))) return kNone;
+  return std::abs(map.disparity(p) - truth(p));
+}
+
 }  // namespace
 
 cv::Mat3b in_ramp(const cv::Mat1f& values, const Ramp& ramp, const Span& span) {
@@ -30,26 +36,22 @@ cv::Mat3b in_classes(const cv::Mat1b& codes, const std::vector<Class>& classes) 
   return picture;
 }
 
-cv::Mat1f error_map(const DisparityMap& map, const cv::Mat1f& truth) {
-  cv::Mat1f errors(map.size(), kNone);
+cv::Mat1f error_map(const DisparityMap& map, const cv::Mat1f& truth, const Sampling& sampling) {
+  cv::Mat1f errors(sampling.shown());
   for (int y = 0; y < errors.rows; ++y) {
-    for (int x = 0; x < errors.cols; ++x) {
-      if (!map.has_disparity(y, x) || !std::isfinite(truth(y, x))) continue;
-      errors(y, x) = std::abs(map.disparity(y, x) - truth(y, x));
-    }
+    for (int x = 0; x < errors.cols; ++x) errors(y, x) = error_at(map, truth, sampling.at(x, y));
   }
   return errors;
 }
 
 cv::Mat1b verdicts(const DisparityMap& map, const GroundTruth& truth, double delta) {
-  const cv::Mat1f errors = error_map(map, truth.disparity);
   cv::Mat1b codes(map.size());
   for (int y = 0; y < codes.rows; ++y) {
     for (int x = 0; x < codes.cols; ++x) {
       const bool visible = truth.non_occluded.empty() || truth.non_occluded(y, x) == kVisible;
       Verdict verdict = Verdict::not_judged;
       if (visible && std::isfinite(truth.disparity(y, x))) {
-        const bool good = static_cast<double>(errors(y, x)) <= delta;
+        const bool good = double{error_at(map, truth.disparity, {x, y})} <= delta;
         verdict = !map.has_disparity(y, x) ? Verdict::no_disparity
                   : good                   ? Verdict::good
                                            : Verdict::bad;
@@ -60,12 +62,13 @@ cv::Mat1b verdicts(const DisparityMap& map, const GroundTruth& truth, double del
   return codes;
 }
 
-RangeMaps range_maps(const DisparityRange& range) {
-  const cv::Size size = range.size();
+RangeMaps range_maps(const DisparityRange& range, const Sampling& sampling) {
+  const cv::Size size = sampling.shown();
   RangeMaps maps{cv::Mat1f(size, kNone), cv::Mat1f(size, kNone), cv::Mat1f(size, 0.F)};
   for (int y = 0; y < size.height; ++y) {
     for (int x = 0; x < size.width; ++x) {
-      const Interval interval = range.at(y, x);
+      const cv::Point p = sampling.at(x, y);
+      const Interval interval = range.at(p.y, p.x);
       if (interval.empty()) continue;
       maps.first(y, x) = static_cast<float>(interval.begin);
       maps.last(y, x) = static_cast<float>(interval.end - 1);
@@ -73,6 +76,15 @@ RangeMaps range_maps(const DisparityRange& range) {
     }
   }
   return maps;
+}
+
+double mean_count(const DisparityRange& range) {
+  const cv::Size size = range.size();
+  double sum = 0;
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) sum += range.at(y, x).size();
+  }
+  return sum / size.area();
 }
 
 }  // namespace xgm::report

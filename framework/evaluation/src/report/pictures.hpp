@@ -15,18 +15,21 @@ namespace xgm::report {
 cv::Mat3b in_ramp(const cv::Mat1f& values, const Ramp& ramp, const Span& span);
 cv::Mat3b in_classes(const cv::Mat1b& codes, const std::vector<Class>& classes);
 
-/// |disparity - truth|, px; NaN where either is missing.
-cv::Mat1f error_map(const DisparityMap& map, const cv::Mat1f& truth);
+/// |disparity - truth|, px, of the pixels shown; NaN where either is missing.
+cv::Mat1f error_map(const DisparityMap& map, const cv::Mat1f& truth, const Sampling& sampling);
 
 /// A Verdict per pixel. Pixels outside of the truth's non-occluded mask, if there is one, are not
 /// judged.
 cv::Mat1b verdicts(const DisparityMap& map, const GroundTruth& truth, double delta);
 
-/// First and last disparity of each pixel's interval, both included, NaN where it is empty; and how
-/// many lie between them, ends included.
+/// Of the pixels shown: first and last disparity of each pixel's interval, both included, NaN where
+/// it is empty; and how many lie between them, ends included.
 struct RangeMaps {
   cv::Mat1f first, last, count;
 };
-RangeMaps range_maps(const DisparityRange& range);
+RangeMaps range_maps(const DisparityRange& range, const Sampling& sampling);
+
+/// Disparities per pixel that the range holds, the mean of all pixels.
+double mean_count(const DisparityRange& range);
 
 }  // namespace xgm::report

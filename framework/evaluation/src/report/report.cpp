@@ -73,4 +73,14 @@ std::string report_html(const Report& report) {
   return html;
 }
 
+double bytes_to_report(cv::Size size) {
+  constexpr double kCopies = 5;           // of the maps' text: encoded, JSON, script and page
+  constexpr double kWithLevels = 2;       // what a pyramid adds to the maps
+  constexpr double kNumbersPerPixel = 9;  // verdicts, and those whose quantiles colours span
+  const double pixels = static_cast<double>(size.width) * size.height;
+  const double page = kWithLevels * kBytesPerPixel * std::min(kMaxPixels, pixels);
+  return kCopies * std::min(page, static_cast<double>(Report{}.max_bytes)) +
+         kNumbersPerPixel * pixels;
+}
+
 }  // namespace xgm

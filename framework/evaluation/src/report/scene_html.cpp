@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/imgproc.hpp>
 #include <utility>
 
 #include "report/html.hpp"
@@ -21,9 +20,8 @@ constexpr double kBadDelta = 1;  // px, of the static picture
 
 std::string left_figure(const SceneView& view, std::size_t index, double pixels) {
   const Sampling sampling = Sampling::within(view.scene.left.size(), pixels);
-  cv::Mat3b shown;
-  cv::resize(picture(view.scene.left), shown, sampling.shown(), 0, 0, cv::INTER_AREA);
-  return figure({"Left image", jpeg_uri(shown), "", "left-" + std::to_string(index)});
+  return figure({"Left image", jpeg_uri(picture(view.scene.left, sampling)), "",
+                 "left-" + std::to_string(index)});
 }
 
 std::string disparity_figure(const std::string& title, const cv::Mat1f& map, const SceneView& view,
@@ -65,7 +63,7 @@ std::string bad_figure(const DisparityMap& map, const GroundTruth& truth,
 std::string truth_figures(const SceneView& view, const ReportRun& run, const Sampling& sampling) {
   if (!view.has_truth()) return "";
   const GroundTruth& truth = view.scene.truth;
-  const cv::Mat1f errors = sampled(error_map(run.map, truth.disparity), sampling);
+  const cv::Mat1f errors = error_map(run.map, truth.disparity, sampling);
   const Span span{0, kErrorSpan};
   return figure(
              {"Error", png_uri(in_ramp(errors, error_ramp(), span)),

@@ -32,9 +32,9 @@ Json level_json(const ReportLevel& level, double pixels) {
                {"disparity", packed_numbers(sampled(level.map.disparity, sampling))},
                {"status", packed_codes(sampled(level.map.status, sampling))}};
   if (level.range) {
-    const RangeMaps maps = range_maps(*level.range);
-    json["first"] = packed_numbers(sampled(maps.first, sampling));
-    json["last"] = packed_numbers(sampled(maps.last, sampling));
+    const RangeMaps maps = range_maps(*level.range, sampling);
+    json["first"] = packed_numbers(maps.first);
+    json["last"] = packed_numbers(maps.last);
   }
   return json;
 }

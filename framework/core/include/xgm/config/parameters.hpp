@@ -37,13 +37,19 @@ struct XGM_API Field {
   std::optional<double> minimum;  ///< inclusive
   std::optional<double> maximum;  ///< inclusive
   bool only_odd = false;
-  bool is_optional = false;        ///< a stage that may be left out
-  std::string default_stage_name;  ///< plugin of a stage field that is left out
+  bool only_whole = false;            ///< of a list: its elements
+  std::vector<double> choices{};      ///< of a number: if there are any, it is one of them
+  std::vector<std::size_t> counts{};  ///< of a list: if there are any, it has so many elements
+  bool is_optional = false;           ///< a stage that may be left out
+  std::string default_stage_name;     ///< plugin of a stage field that is left out
 
   Field& unit(std::string name);
-  Field& range(double low, double high);  ///< inclusive; for lists: of each element
-  Field& odd();                           ///< integer must be odd
-  Field& optional();                      ///< stage fields: may be absent
+  Field& range(double low, double high);                ///< inclusive; for lists: of each element
+  Field& odd();                                         ///< integer must be odd
+  Field& whole();                                       ///< lists: elements are whole numbers
+  Field& one_of(std::initializer_list<double> values);  ///< number: no other values
+  Field& elements(std::initializer_list<std::size_t> counts);  ///< list: so many, or so many
+  Field& optional();                                           ///< stage fields: may be absent
   Field& default_stage(std::string plugin);
 };
 

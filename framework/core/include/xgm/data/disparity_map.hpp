@@ -41,6 +41,8 @@ class XGM_API DisparityMap {
 
   cv::Size size() const { return disparity.size(); }
   bool has_disparity(int y, int x) const { return xgm::has_disparity(at(y, x)); }
+  /// The same, by the name that plugins written for earlier versions use.
+  bool valid(int y, int x) const { return has_disparity(y, x); }
   Status at(int y, int x) const { return static_cast<Status>(status(y, x)); }
   void set(int y, int x, float value, Status why = Status::matched) {
     disparity(y, x) = value;

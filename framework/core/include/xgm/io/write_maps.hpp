@@ -16,7 +16,11 @@ inline constexpr std::array<const char*, 3> kMapFiles{"disparity.pfm", "disparit
 
 /// Writes disparity.pfm (px, +inf where there is none), disparity.png and status.png (pictures with
 /// legends) to the folder, which is made if it is missing. Each file is complete or not there.
-/// Throws UsageError if the folder cannot be made, Error if a file cannot be written.
+/// disparity.pfm comes
+/// first. Throws UsageError if the folder cannot be made, Error if a file cannot be written.
 XGM_API void write_maps(const std::string& folder, const DisparityMap& map);
+
+/// Bytes that this takes for a map of so many pixels.
+XGM_API double bytes_to_write_maps(cv::Size size);
 
 }  // namespace xgm

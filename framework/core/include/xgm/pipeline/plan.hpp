@@ -35,6 +35,11 @@ class XGM_API RunTrace {
   static RunTrace of_whole(const Pipeline& pipeline, const MatchRequest& request,
                            const RunOptions& options = {});
 
+  /// Like of_reduced(), for plans of memory: runs once and measures no bandwidth, which would take
+  /// more memory than small runs do. Seconds of such plans mean little.
+  static RunTrace of_memory(const Pipeline& pipeline, const MatchRequest& request,
+                            const RunOptions& options = {});
+
   /// Of the scene; none without a pyramid. May be replaced by what is known better.
   std::optional<Narrowing> narrowing;
 
@@ -42,6 +47,10 @@ class XGM_API RunTrace {
   const Calls& calls() const { return *calls_; }
 
  private:
+  /// Watches one run.
+  static std::shared_ptr<Calls> watch(const Pipeline& pipeline, const MatchRequest& request,
+                                      RunOptions options);
+  explicit RunTrace(std::shared_ptr<const Calls> calls);
   std::shared_ptr<const Calls> calls_;
 };
 
@@ -54,9 +63,16 @@ struct PlannedStage {
   double seconds = 0;  ///< of the stage alone
 };
 
+/// Bytes that the caller of a run takes beside it.
+struct Besides {
+  double level_pixel = 0;  ///< kept of each pixel of each level of a pyramid, until the end
+  double after = 0;        ///< taken when the maps are there, to write files
+};
+
 struct PlanRequest {
   Workload load;       ///< of the whole pair
   bool truth = false;  ///< whether maps of truth are held, too
+  Besides besides{};
 };
 
 struct RunPlan {

@@ -11,6 +11,7 @@
 #include "xgm/data/disparity_range.hpp"
 #include "xgm/io/scene.hpp"
 #include "xgm/pipeline/pipeline.hpp"
+#include "xgm/pipeline/plan.hpp"
 
 namespace xgm {
 
@@ -41,6 +42,7 @@ struct SceneInputs {
   std::optional<double> memory_limit;  ///< the request's
   std::vector<std::string> warnings;   ///< of all files
   double reading_seconds = 0;
+  Besides besides{};  ///< of the caller, for the limit
 };
 
 /// The files that the request is read from.

@@ -18,6 +18,11 @@ class XGM_API Aggregation : public Stage {
   virtual AggregatedVolume run(const CostVolume& costs, const PenaltyField& penalties,
                                const Context& context) const = 0;
 
+  /// What every result is looked at for in a run: shape and fraction bits; not its cells, which are
+  /// too many.
+  static std::optional<Fault> fault_of(const AggregatedVolume& result, const CostVolume& costs,
+                                       const PenaltyField& penalties, const Context& context);
+
   /// Whether pixels may have different ranges. If not, a pyramid refuses this aggregation.
   virtual bool accepts_ragged_volumes() const { return true; }
 };

@@ -15,6 +15,11 @@ class XGM_API Consistency : public Stage {
   /// Invalidates disagreeing pixels of both maps, as occluded or mismatched. `result.reverse` is
   /// set.
   virtual MatchResult run(const MatchResult& result, const Context& context) const = 0;
+
+  /// What every result is looked at for in a run: both maps: pixels are kept as they are or taken
+  /// away.
+  static std::optional<Fault> fault_of(const MatchResult& result, const MatchResult& maps,
+                                       const Context& context);
 };
 
 }  // namespace xgm

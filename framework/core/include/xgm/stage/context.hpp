@@ -2,6 +2,7 @@
 // What a stage knows of the run it is in: where it stands, and whom to tell.
 #pragma once
 
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -9,6 +10,7 @@
 #include <utility>
 
 #include "xgm/base/export.hpp"
+#include "xgm/data/fault.hpp"
 #include "xgm/stage/observer.hpp"
 #include "xgm/stage/place.hpp"
 
@@ -43,6 +45,10 @@ class XGM_API Context {
   void warn(const std::string& text) const { log(LogLevel::warning, text); }
   /// Tells a figure for the run's record.
   void figure(const std::string& name, double value) const;
+  /// The disparities that the matcher around searches in the view of this stage, px of its level;
+  /// no matched disparity lies outside of them. None if there is no run.
+  std::optional<Interval> searched() const { return searched_; }
+
   /// Share of this stage's own work that is done, 0 to 1. Throws Cancelled if the run is.
   void progress(double share) const;
 
@@ -56,9 +62,10 @@ class XGM_API Context {
   Context inside(std::string_view field, std::string_view kind, const std::string& plugin,
                  const Stage& stage) const;
 
-  /// Used by slots: an input of the stage that runs here. A pair tells which view it works on.
+  /// Used by slots: an input of the stage that runs here. A pair tells which view it works on, a
+  /// request what is searched, too.
   void take_view(const ImagePair& pair) { place_.view = view_of(pair); }
-  void take_view(const MatchRequest& request) { place_.view = view_of(request.pair); }
+  void take_view(const MatchRequest& request);
   template <class Other>
   void take_view(const Other&) {}
 
@@ -67,6 +74,10 @@ class XGM_API Context {
   void show_input(const Input& input) const {
     if constexpr (std::is_constructible_v<Artifact, const Input*>) tell_input(&input);
   }
+
+  /// Used by slots: what is wrong with the result of the stage that runs here. Throws Error if
+  /// anything is.
+  void require_none(const std::optional<Fault>& fault) const;
 
   /// Used by slots: runs `body` as the stage at this place, timed and told to the observer; adds
   /// the path to what it throws. Throws Cancelled, and tells of no end, if the run is cancelled.
@@ -114,6 +125,7 @@ class XGM_API Context {
   std::stop_token stop_;
   bool base_is_reverse_ = false;
   StagePlace place_;
+  std::optional<Interval> searched_, searched_by_other_;  ///< in this view and in the other one
   double begin_ = 0, end_ = 1;
 };
 

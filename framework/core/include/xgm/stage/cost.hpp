@@ -18,6 +18,11 @@ class XGM_API Cost : public Stage {
   /// base pixels: they have no cells.
   virtual CostVolume run(const ImagePair& pair, const VolumeShapePtr& shape,
                          const Context& context) const = 0;
+
+  /// What every result is looked at for in a run: shape and bound; not its cells, which are too
+  /// many.
+  static std::optional<Fault> fault_of(const CostVolume& result, const ImagePair& pair,
+                                       const VolumeShapePtr& shape, const Context& context);
 };
 
 }  // namespace xgm

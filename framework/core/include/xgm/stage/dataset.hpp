@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "xgm/data/fault.hpp"
 #include "xgm/data/scene_files.hpp"
 #include "xgm/stage/stage.hpp"
 
@@ -23,6 +24,9 @@ class XGM_API Dataset : public Stage {
   /// Throws Error, naming the file and the remedy, if it is such a folder but cannot be used. What
   /// is wrong with a file of one scene is told in SceneFiles::faults, and stops no other scene.
   virtual std::vector<SceneFiles> scenes(const std::string& folder) const = 0;
+
+  /// What every result is looked at for: names, and numbers that scenes are matched and judged by.
+  static std::optional<Fault> fault_of(const std::vector<SceneFiles>& scenes);
 
   /// What a scene of this layout has, in a few words for messages: "im0 and im1".
   virtual std::string layout() const = 0;

@@ -15,6 +15,11 @@ class XGM_API Filter : public Stage {
   /// `pair.base` is the view that `map` belongs to. Returns a map of the same size.
   virtual DisparityMap run(const DisparityMap& map, const ImagePair& pair,
                            const Context& context) const = 0;
+
+  /// What every result is looked at for in a run: the map, and what the run searches: matched
+  /// disparities lie in it.
+  static std::optional<Fault> fault_of(const DisparityMap& result, const DisparityMap& map,
+                                       const ImagePair& pair, const Context& context);
 };
 
 }  // namespace xgm

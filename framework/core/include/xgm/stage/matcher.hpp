@@ -15,6 +15,11 @@ class XGM_API Matcher : public Stage {
 
   virtual MatchResult run(const MatchRequest& request, const Context& context) const = 0;
 
+  /// What every result is looked at for in a run: both maps, and that masked pixels have no
+  /// disparity.
+  static std::optional<Fault> fault_of(const MatchResult& result, const MatchRequest& request,
+                                       const Context& context);
+
   /// Whether pixels may have different ranges. If not, a pyramid refuses this matcher, and so does
   /// a run that is given range maps.
   virtual bool accepts_range_maps() const { return true; }

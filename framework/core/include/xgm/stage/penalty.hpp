@@ -39,6 +39,9 @@ struct PenaltyTable {
   }
 };
 
+/// None if the table has an entry for each pair of classes, with 0 <= p1 <= p2.
+XGM_API std::optional<Fault> fault_of(const PenaltyTable& table);
+
 /// The penalties of one image pair, asked for direction by direction and row by row, so that no
 /// maps need to be kept. Safe to use from several threads.
 class XGM_API PenaltyField {
@@ -61,6 +64,14 @@ class XGM_API Penalty : public Stage {
 
   virtual std::unique_ptr<const PenaltyField> run(const ImagePair& pair,
                                                   const Context& context) const = 0;
+
+  /// What every result is looked at for in a run: that there is one.
+  static std::optional<Fault> fault_of(const std::unique_ptr<const PenaltyField>& result,
+                                       const ImagePair& pair, const Context& context);
+  /// The same penalties, which throw Error when a table or a class that is asked for is not sound:
+  /// aggregations look entries up by class without a further look.
+  static std::unique_ptr<const PenaltyField> watched(std::unique_ptr<const PenaltyField> field,
+                                                     const Context& context);
 };
 
 }  // namespace xgm

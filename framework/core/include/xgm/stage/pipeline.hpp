@@ -27,6 +27,10 @@ class XGM_API StereoFamily : public PipelineFamily {
   /// Maps of the request's size.
   virtual MatchResult run(const MatchRequest& request, const Context& context) const = 0;
 
+  /// What every result is looked at for: both maps, their size and the range that was asked for.
+  static std::optional<Fault> fault_of(const MatchResult& result, const MatchRequest& request,
+                                       const Context& context);
+
   /// The disparities that the file itself asks for, if it does.
   virtual std::optional<Interval> disparities() const = 0;
   virtual bool accepts_range_maps() const = 0;

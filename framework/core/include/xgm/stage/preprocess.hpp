@@ -14,6 +14,10 @@ class XGM_API Preprocess : public Stage {
 
   /// The base image keeps its geometry, so that the disparity map stays one of the image given.
   virtual ImagePair run(const ImagePair& pair, const Context& context) const = 0;
+
+  /// What every result is looked at for in a run: sizes, planes, levels and view.
+  static std::optional<Fault> fault_of(const ImagePair& result, const ImagePair& pair,
+                                       const Context& context);
 };
 
 }  // namespace xgm

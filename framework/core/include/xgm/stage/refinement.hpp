@@ -16,6 +16,10 @@ class XGM_API Refinement : public Stage {
   /// pixel.
   virtual DisparityMap run(const DisparityMap& map, const AggregatedVolume& sums,
                            const Context& context) const = 0;
+
+  /// What every result is looked at for in a run: the map, and what it was made of.
+  static std::optional<Fault> fault_of(const DisparityMap& result, const DisparityMap& map,
+                                       const AggregatedVolume& sums, const Context& context);
 };
 
 }  // namespace xgm

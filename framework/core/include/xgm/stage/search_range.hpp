@@ -19,6 +19,11 @@ class XGM_API SearchRange : public Stage {
   /// `limits`).
   virtual DisparityRange run(const DisparityMap& coarse, const DisparityRange& limits,
                              const Context& context) const = 0;
+
+  /// What every result is looked at for in a run: size, and that no interval is inverted, nor empty
+  /// where the limits are not.
+  static std::optional<Fault> fault_of(const DisparityRange& result, const DisparityMap& coarse,
+                                       const DisparityRange& limits, const Context& context);
 };
 
 }  // namespace xgm

@@ -14,6 +14,11 @@ class XGM_API Selection : public Stage {
 
   /// Whole disparities of `sums`, or out_of_range where no cell can match.
   virtual DisparityMap run(const AggregatedVolume& sums, const Context& context) const = 0;
+
+  /// What every result is looked at for in a run: the map, and that disparities are whole ones of
+  /// the pixels' ranges.
+  static std::optional<Fault> fault_of(const DisparityMap& result, const AggregatedVolume& sums,
+                                       const Context& context);
 };
 
 }  // namespace xgm

@@ -13,7 +13,9 @@
 namespace xgm {
 
 /// Holds one stage of kind `Kind`. slot(context, inputs...) runs it as the part of the pipeline
-/// that bears this slot's name: timed, logged, its errors carrying its path.
+/// that bears this slot's name: timed, logged, its errors carrying its path. What it returns is
+/// checked by Kind::fault_of(result, inputs..., context), if the kind has such a
+/// function; else a map by the rules of all maps.
 template <class Kind>
 class Slot final : public SlotBase {
  public:
@@ -39,7 +41,17 @@ class Slot final : public SlotBase {
     (inner.take_view(inputs), ...);
     return inner.run_stage([&](const Context& here) {
       (here.show_input(inputs), ...);
-      return stage_->run(inputs..., here);
+      auto result = stage_->run(inputs..., here);
+      if constexpr (requires { Kind::fault_of(result, inputs..., here); }) {
+        here.require_none(Kind::fault_of(result, inputs..., here));
+      } else if constexpr (requires { fault_of(result, MapBounds{result.size()}); }) {
+        here.require_none(fault_of(result, MapBounds{result.size()}));
+      }
+      if constexpr (requires { Kind::watched(std::move(result), here); }) {
+        return Kind::watched(std::move(result), here);
+      } else {
+        return result;
+      }
     });
   }
 

@@ -58,6 +58,9 @@ struct Report {
 /// a JSON text is none.
 XGM_API std::string report_html(const Report& report);
 
+/// Bytes that a page takes, while it is made, that shows one run on images of this size.
+XGM_API double bytes_to_report(cv::Size size);
+
 /// Text as it stands in HTML, in attributes too: & < > " ' escaped, bytes that are no UTF-8
 /// replaced.
 XGM_API std::string html_text(const std::string& text);
@@ -65,6 +68,9 @@ XGM_API std::string html_text(const std::string& text);
 /// Keeps what a report shows of a pyramid's levels: copies of their maps and ranges.
 class XGM_API LevelCollector final : public Observer {
  public:
+  /// Of a level: a disparity, a status, the two ends of an interval.
+  static constexpr double kBytesPerPixel = sizeof(float) + 1 + 2 * sizeof(int);
+
   void stage_input(const StagePlace& place, const Artifact& input) override;
   void stage_end(const StagePlace& place, const StageStatistics& statistics,
                  const Artifact& result) override;

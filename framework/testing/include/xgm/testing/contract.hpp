@@ -25,7 +25,8 @@ namespace xgm::testing {
 /// are ones that a pipeline may produce.
 using Violations = std::vector<std::string>;
 
-// Common to all kinds: inputs are left as they are; the result has the same bytes for 1, 2, 3 and 8
+// What runs look at, too (see the kinds' fault_of()), is part of each contract. Common to all
+// kinds: inputs are left as they are; the result has the same bytes for 1, 2, 3 and 8
 // threads; images of one pixel, one row, one column or without any data are no reason to fail; the
 // grey levels of masked pixels never matter.
 
@@ -33,10 +34,10 @@ using Violations = std::vector<std::string>;
 /// are finite where pixels are valid.
 XGM_API Violations check_preprocess(const Preprocess& stage);
 
-/// Both maps have the image's size and keep DisparityMap's invariant; disparities lie within half a
-/// pixel of the range searched (ranges: usual, negative, wider than the image, empty; per-pixel
-/// ones if accepted); exactly the masked pixels are masked; most matches of an easy scene are
-/// right.
+/// Both maps have the image's size and keep DisparityMap's invariant; matched disparities lie less
+/// than a pixel outside of the range searched (ranges: usual, negative, wider than the image,
+/// empty; per-pixel ones if accepted); exactly the masked pixels are masked; most matches of an
+/// easy scene are right.
 XGM_API Violations check_matcher(const Matcher& stage);
 
 /// Cells are kNoMatch exactly where the candidate is outside or masked, else at most max_cost; the
