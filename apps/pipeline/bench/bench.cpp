@@ -64,8 +64,6 @@ std::optional<std::vector<BenchPipeline>> load_pipelines(const BenchOptions& opt
   return pipelines;
 }
 
-}
-
 std::optional<BenchRequest> make_request(const BenchOptions& options) {
   const Registry registry = make_registry(options.plugins);
   auto pipelines = load_pipelines(options, registry);

@@ -134,7 +134,7 @@ class ValueReader {
   }
   bool is_possible(double value) const {
     const bool is_whole = std::holds_alternative<int*>(field_.target);
-    return in_range(field_, value) && (!is_whole || value == std::floor(value));
+    return is_allowed(field_, value) && (!is_whole || value == std::floor(value));
   }
   bool diagnose(const Node& node, std::string message, std::string remedy) const {
     add_diagnostic(diagnostics_, node.where, std::move(message), std::move(remedy));
