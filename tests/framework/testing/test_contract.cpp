@@ -18,40 +18,41 @@ bool tells(const Violations& violations, const std::string& rule) {
   });
 }
 
-enum class Fault { none, max_cost, outside, masked, levels, ragged, threads, changes, throws };
+enum class CostFault { none, max_cost, outside, masked, levels, ragged, threads, changes, throws };
 
 /// |difference| / 2 of the first planes, with a fault planted.
 class FaultyCost final : public Cost {
  public:
-  explicit FaultyCost(Fault fault) : fault_(fault) {}
+  explicit FaultyCost(CostFault fault) : fault_(fault) {}
 
   CostVolume run(const ImagePair& pair, const VolumeShapePtr& shape,
                  const Context&) const override {
-    if (fault_ == Fault::throws && pair.size().area() == 1) throw Error("one pixel only");
-    CostVolume costs(shape, fault_ == Fault::max_cost ? 20 : 128);
+    if (fault_ == CostFault::throws && pair.size().area() == 1) throw Error("one pixel only");
+    CostVolume costs(shape, fault_ == CostFault::max_cost ? 20 : 128);
     for (int y = 0; y < shape->height(); ++y)
       for (int x = 0; x < shape->width(); ++x)
         for (int i = 0; i < shape->count(y, x); ++i)
           costs.at(y, x)[i] = cost(pair, y, x, x - shape->begin(y, x) - i, shape->count(y, x));
-    if (fault_ == Fault::threads && costs.shape().cells() > 0 && costs.data()[0] < 100)
+    if (fault_ == CostFault::threads && costs.shape().cells() > 0 && costs.data()[0] < 100)
       costs.data()[0] = static_cast<std::uint8_t>(thread_count());
-    if (fault_ == Fault::changes) cv::Mat1f(pair.base.planes[0])(0, 0) += 1;
+    if (fault_ == CostFault::changes) cv::Mat1f(pair.base.planes[0])(0, 0) += 1;
     return costs;
   }
 
  private:
   std::uint8_t cost(const ImagePair& pair, int y, int x, int x_match, int count) const {
     const bool inside = x_match >= 0 && x_match < pair.size().width;
-    if (!inside) return fault_ == Fault::outside ? std::uint8_t{9} : CostVolume::kNoMatch;
-    if (!pair.match.is_valid(y, x_match) && fault_ != Fault::masked) return CostVolume::kNoMatch;
+    if (!inside) return fault_ == CostFault::outside ? std::uint8_t{9} : CostVolume::kNoMatch;
+    if (!pair.match.is_valid(y, x_match) && fault_ != CostFault::masked)
+      return CostVolume::kNoMatch;
     const cv::Mat1f& base = pair.base.planes[0];
     float value = std::abs(base(y, x) - pair.match.planes[0](y, x_match)) / 2;
-    if (fault_ == Fault::levels && x > 0) value = base(y, x - 1) / 2;
-    if (fault_ == Fault::ragged) value = static_cast<float>(count % 100);
+    if (fault_ == CostFault::levels && x > 0) value = base(y, x - 1) / 2;
+    if (fault_ == CostFault::ragged) value = static_cast<float>(count % 100);
     return static_cast<std::uint8_t>(value);
   }
 
-  Fault fault_;
+  CostFault fault_;
 };
 
 enum class MapFault { none, status, lost, unmasked, size };
@@ -150,15 +151,15 @@ class Inventive final : public Consistency {
 }  // namespace
 
 TEST_CASE("contract checks: a cost that keeps the contract passes, each planted fault is told") {
-  CHECK(check_cost(FaultyCost(Fault::none)) == Violations{});
-  CHECK(tells(check_cost(FaultyCost(Fault::max_cost)), "exceeds max_cost"));
-  CHECK(tells(check_cost(FaultyCost(Fault::outside)), "not kNoMatch"));
-  CHECK(tells(check_cost(FaultyCost(Fault::masked)), "masked image: a cost where nothing"));
-  CHECK(tells(check_cost(FaultyCost(Fault::levels)), "grey levels of masked pixels"));
-  CHECK(tells(check_cost(FaultyCost(Fault::ragged)), "which other cells"));
-  CHECK(tells(check_cost(FaultyCost(Fault::threads)), "number of threads"));
-  CHECK(tells(check_cost(FaultyCost(Fault::changes)), "images were changed"));
-  CHECK(tells(check_cost(FaultyCost(Fault::throws)), "image of one pixel: it throws"));
+  CHECK(check_cost(FaultyCost(CostFault::none)) == Violations{});
+  CHECK(tells(check_cost(FaultyCost(CostFault::max_cost)), "exceeds max_cost"));
+  CHECK(tells(check_cost(FaultyCost(CostFault::outside)), "not kNoMatch"));
+  CHECK(tells(check_cost(FaultyCost(CostFault::masked)), "masked image: a cost where nothing"));
+  CHECK(tells(check_cost(FaultyCost(CostFault::levels)), "grey levels of masked pixels"));
+  CHECK(tells(check_cost(FaultyCost(CostFault::ragged)), "which other cells"));
+  CHECK(tells(check_cost(FaultyCost(CostFault::threads)), "number of threads"));
+  CHECK(tells(check_cost(FaultyCost(CostFault::changes)), "images were changed"));
+  CHECK(tells(check_cost(FaultyCost(CostFault::throws)), "image of one pixel: it throws"));
 }
 
 TEST_CASE("contract checks: a filter that keeps the contract passes, each planted fault is told") {
