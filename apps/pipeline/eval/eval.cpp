@@ -10,6 +10,7 @@
 #include "terminal/console.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/evaluation/run_record.hpp"
+#include "xgm/evaluation/truth_doubts.hpp"
 #include "xgm/io/file.hpp"
 #include "xgm/io/image_io.hpp"
 
@@ -120,6 +121,7 @@ EvaluationReport judge(const EvalOptions& options) {
         sparsification_by_region(map, truth, read_disparities(files.confidence), report.rules);
   }
   report.inputs = identify(options, files);
+  for (const std::string& doubt : truth_doubts(map, truth.disparity, {})) log_warning(doubt);
   return report;
 }
 

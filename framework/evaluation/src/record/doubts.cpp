@@ -14,7 +14,10 @@ constexpr double kFewMatched = 0.5;
 // Within 1 px of an end of the range lie no disparities of a scene that fits into it, and a tenth
 // or more of them if it does not, or if the images are swapped.
 constexpr double kManyAtEnd = 0.05;
-constexpr int kShortRange = 16;  // where the ends are a good part of the range
+// Of a short range an end is a good part. Matches that mean nothing spread over all disparities:
+// half of what falls to one of them then is many.
+constexpr double kManyOfFew = 0.5;
+constexpr int kShortest = 3;  // disparities; shorter ranges consist of their ends
 
 std::string percent(double share) { return fixed_number(100 * share, 2) + " %"; }
 
@@ -44,11 +47,12 @@ std::vector<std::string> doubts(const DisparityMap& map, const RunRecord& record
                     "the images belong together, their order and the disparity range");
   }
   const Interval searched = record.disparities;
-  if (searched.size() < kShortRange) return texts;
+  if (searched.size() < kShortest) return texts;
+  const double many = std::max(kManyAtEnd, kManyOfFew / searched.size());
   const int last = searched.end - 1;
   for (const int end : {searched.begin, last}) {
     const double share = share_at(map, end);
-    if (share < kManyAtEnd) continue;
+    if (share < many) continue;
     texts.push_back(percent(share) + " of the matched disparities lie at " + std::to_string(end) +
                     ", where the search range " + std::to_string(searched.begin) + " to " +
                     std::to_string(last) +

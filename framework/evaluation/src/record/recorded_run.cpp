@@ -8,6 +8,7 @@
 #include "xgm/base/memory.hpp"
 #include "xgm/base/parallel.hpp"
 #include "xgm/evaluation/report.hpp"
+#include "xgm/evaluation/truth_doubts.hpp"
 #include "xgm/io/file.hpp"
 #include "xgm/io/output_folder.hpp"
 #include "xgm/io/outputs.hpp"
@@ -84,8 +85,11 @@ void add_warnings(RecordedRun& result, const RecordRequest& request, Observer* o
                        ": no stage has such a path; run.json lists the paths");
   }
   if (result.failure.empty()) {
-    for (std::string& doubt : doubts(result.run.maps.forward, result.record)) {
-      warnings.push_back(std::move(doubt));
+    const DisparityMap& map = result.run.maps.forward;
+    for (const auto& found :
+         {doubts(map, result.record),
+          truth_doubts(map, result.run.scene.truth.disparity, result.record.disparities)}) {
+      warnings.insert(warnings.end(), found.begin(), found.end());
     }
   }
   for (const std::string& warning : warnings) {
