@@ -226,9 +226,10 @@ TEST_CASE("mistakes are told before any run") {
   check_usage(desk.both("--submit kitti"), "not called as KITTI's frames");
   check_usage(desk.both("--submit eth3d --method mine"), "one at a time");
   desk.write("trainingQ/two/calib.txt", "width=40\n");
-  check_usage(desk.both(), "nothing says which disparities");
   check_usage(desk.both("--clip --set 'disparities=[0, 7]'"),
               "nothing gives the ndisp of scene two");
+  desk.write("trainingQ/one/calib.txt", "width=40\n");
+  check_usage(desk.both(), "nothing says which disparities");
 }
 
 TEST_CASE("--submit writes the benchmark's folders") {

@@ -8,6 +8,7 @@
 #include "apps/program.hpp"
 #include "support/support.hpp"
 #include "support/temporary_folder.hpp"
+#include "xgm/io/file.hpp"
 #include "xgm/io/image_io.hpp"
 #include "xgm/io/outputs.hpp"
 
@@ -93,6 +94,25 @@ TEST_CASE("swapped images are hinted at, images in order are not") {
 TEST_CASE("a range that ends at the scene's disparity is hinted at") {
   const Pair pair(31);
   CHECK(contains(pair.run(kInOrder).errors, "lie at 31, where the search range 0 to 31 ends"));
+}
+
+TEST_CASE("a short range that misses the scene is hinted at, one that holds it is not") {
+  const Pair pair(30);
+  const std::string in_short = "run sgm8 --disparities 0:7 " + kInOrder;
+  CHECK(contains(call(pair, in_short).errors, "where the search range 0 to 7 ends"));
+  CHECK_FALSE(contains(call(Pair(3), in_short).errors, "where the search range"));
+}
+
+TEST_CASE("one image given twice is told, on the terminal and in run.json") {
+  const Pair pair(9);
+  std::filesystem::create_symlink(pair / "left.png", pair / "link.png");
+  for (const char* right : {"left.png", "link.png"}) {
+    const Outcome outcome = pair.run(std::string("--left left.png --right ") + right);
+    CHECK(outcome.exit_code == 0);
+    CHECK(contains(outcome.errors, "the left and the right image are the same"));
+    CHECK(contains(read_file(pair / "xgm_output/run.json"), "the left and the right image are"));
+  }
+  CHECK_FALSE(contains(pair.run(kInOrder).errors, "image are the same"));
 }
 
 TEST_CASE("a pattern of --dump that fits no stage is warned of") {

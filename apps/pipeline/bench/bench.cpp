@@ -65,26 +65,6 @@ std::optional<std::vector<BenchPipeline>> load_pipelines(const BenchOptions& opt
   return pipelines;
 }
 
-/// What cannot go well is not begun.
-void require_disparities(const BenchRequest& request) {
-  for (const BenchPipeline& pipeline : request.pipelines) {
-    for (const BenchScene& scene : request.scenes) {
-      if (pipeline.disparities || scene.files.disparities) continue;
-      throw UsageError("scene " + scene.files.name + ", pipeline " + pipeline.name +
-                       ": nothing says which disparities to search; add a line ndisp=NUMBER to "
-                       "the scene's calib.txt, or --set 'disparities=[MIN, MAX]'");
-    }
-  }
-}
-
-void require_bounds_to_clip_to(const BenchRequest& request) {
-  for (const BenchScene& scene : request.scenes) {
-    if (scene.files.disparities) continue;
-    throw UsageError("--clip: nothing gives the ndisp of scene " + scene.files.name +
-                     "; add a line ndisp=NUMBER to its calib.txt, or leave --clip out");
-  }
-}
-
 std::vector<std::string> plugin_files(const Registry& registry) {
   std::vector<std::string> files;
   for (const PluginInfo* plugin : registry.plugins()) {
@@ -104,8 +84,7 @@ std::optional<BenchRequest> make_request(const BenchOptions& options) {
       .scenes = find_bench_scenes(options.data, registry, options.dataset, options.scenes),
       .program = identify_program(kThisProgram, plugin_files(registry)),
       .threads = options.threads > 0 ? options.threads : thread_count()};
-  require_disparities(request);
-  if (options.rules.clip) require_bounds_to_clip_to(request);
+  check_bench(request, options.rules);
   if (!options.submit.empty()) check_submission(request, options.submit, options.method);
   identify_images(request.scenes);
   return request;

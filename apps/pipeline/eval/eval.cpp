@@ -68,7 +68,7 @@ void warn_of_other_images(const EvalOptions& options, const SceneFiles& scene) {
     const std::string file = used.role == "left"    ? scene.images.left
                              : used.role == "right" ? scene.images.right
                                                     : "";
-    if (file.empty() || !fs::is_regular_file(file)) continue;
+    if (file.empty() || !why_unreadable(file).empty()) continue;
     const FileIdentity identity = identify_file(file);
     if (identity.bytes == used.identity.bytes && identity.fnv1a64 == used.identity.fnv1a64) {
       continue;
@@ -113,6 +113,8 @@ EvaluationReport judge(const EvalOptions& options) {
   report.rules.clip =
       parse_clip(options.clip, files.scene ? files.scene->disparities : std::nullopt);
   const DisparityMap map = read_map(files.map, options.divisor);
+  const bool is_clipped_by_scene = files.scene && options.clip == kNdisp;
+  if (is_clipped_by_scene) require_disparities_of_size(*files.scene, map.size());
   const GroundTruth truth = read_truth(options, files, map.size());
   report.size = map.size();
   report.regions = evaluate_regions(map, truth, report.rules);

@@ -11,8 +11,6 @@
 namespace xgm::cli {
 namespace {
 
-constexpr const char* kBound = "ndisp";
-
 void add_inputs(Command command, EvalOptions& options) {
   command
       .option("map", options.map,
@@ -95,7 +93,7 @@ EvaluationRules parse_rules(const EvalOptions& options) {
 
 Interval parse_clip(const std::string& text, const std::optional<Interval>& bound) {
   if (text.empty()) return {};
-  if (text != kBound) return parse_disparities(text, "--clip");
+  if (text != kNdisp) return parse_disparities(text, "--clip");
   if (!bound) {
     throw UsageError("--clip ndisp: nothing gives the scene's ndisp; write --clip MIN:MAX");
   }

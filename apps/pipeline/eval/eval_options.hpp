@@ -10,6 +10,9 @@
 
 namespace xgm::cli {
 
+/// A value of --clip: 0 to ndisp of the scene.
+inline constexpr const char* kNdisp = "ndisp";
+
 struct EvalOptions {
   std::string map;    ///< file, or output folder of a run
   std::string scene;  ///< folder

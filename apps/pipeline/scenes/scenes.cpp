@@ -40,25 +40,37 @@ std::string mask_of(const SceneFiles& scene) {
   return truth.visible.file.empty() && truth.reverse.file.empty() ? "-" : "from truth";
 }
 
-/// What is missing, once for all scenes that lack it.
-void print_missing(const std::vector<SceneFiles>& scenes) {
-  std::map<std::string, std::vector<std::string>> lacking;
+using SceneNames = std::vector<std::string>;
+
+/// The names, or how many more there are.
+std::string who(const SceneNames& names, std::size_t scenes) {
+  if (names.size() == scenes && names.size() > 1) return "all scenes";
+  constexpr std::size_t kMaxNames = 8;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), kMaxNames); ++i) {
+    text += (i > 0 ? ", " : "") + names[i];
+  }
+  if (names.size() > kMaxNames) text += fmt::format(" and {} more", names.size() - kMaxNames);
+  return text;
+}
+
+/// Each sentence once, with all scenes that it is true of.
+void print_sentences(const std::string& heading, const std::map<std::string, SceneNames>& sentences,
+                     std::size_t scenes) {
+  if (!sentences.empty()) std::cout << '\n' << heading << ":\n";
+  for (const auto& [sentence, names] : sentences) {
+    std::cout << "  " << sentence << "\n    in " << who(names, scenes) << '\n';
+  }
+}
+
+void print_what_is_wrong(const std::vector<SceneFiles>& scenes) {
+  std::map<std::string, SceneNames> faulty, lacking;
   for (const SceneFiles& scene : scenes) {
+    for (const FileFault& fault : scene.faults) faulty[fault.message].push_back(scene.name);
     for (const std::string& what : scene.missing) lacking[what].push_back(scene.name);
   }
-  if (!lacking.empty()) std::cout << "\nMissing:\n";
-  for (const auto& [what, names] : lacking) {
-    const bool all = names.size() == scenes.size() && names.size() > 1;
-    constexpr std::size_t kMaxNames = 8;
-    std::string who = all ? "all scenes" : "";
-    for (std::size_t i = 0; !all && i < std::min(names.size(), kMaxNames); ++i) {
-      who += (i > 0 ? ", " : "") + names[i];
-    }
-    if (!all && names.size() > kMaxNames) {
-      who += fmt::format(" and {} more", names.size() - kMaxNames);
-    }
-    std::cout << "  " << what << "\n    in " << who << '\n';
-  }
+  print_sentences("Faulty", faulty, scenes.size());
+  print_sentences("Missing", lacking, scenes.size());
 }
 
 void print(const std::vector<SceneFiles>& scenes) {
@@ -74,7 +86,7 @@ void print(const std::vector<SceneFiles>& scenes) {
     row(scene.name, width, range_of(scene), truth_of(scene), mask_of(scene),
         scene.calibration ? "yes" : "-", scene.weight, scene.scale);
   }
-  print_missing(scenes);
+  print_what_is_wrong(scenes);
 }
 
 int list_scenes(const Options& options) {

@@ -20,17 +20,18 @@ class Eth3d final : public Dataset {
   }
 
   std::vector<SceneFiles> scenes(const std::string& folder) const override {
-    const std::vector<Listing> folders = dataset::pair_folders(folder);
-    std::vector<SceneFiles> found;
-    if (!dataset::are_eth3d(folders)) return found;
-    for (const Listing& inner : folders) {
-      SceneFiles& scene = found.emplace_back();
-      scene.name = dataset::name_of(inner.path());
-      dataset::add_images(scene, inner);
-      dataset::add_calib_txt(scene, inner.file("calib.txt"));
-      dataset::add_truth(scene, inner);
-    }
-    return found;
+    const dataset::SceneFolders folders = dataset::pair_folders(folder);
+    if (!dataset::are_eth3d(folders.scenes)) return {};
+    return dataset::scenes_of(folders, add_scene);
+  }
+
+ private:
+  static void add_scene(const Listing& folder, std::vector<SceneFiles>& found) {
+    SceneFiles& scene = found.emplace_back();
+    scene.name = dataset::name_of(folder.path());
+    dataset::add_images(scene, folder);
+    dataset::add_calib_txt(scene, folder.file("calib.txt"));
+    dataset::add_truth(scene, folder);
   }
 };
 

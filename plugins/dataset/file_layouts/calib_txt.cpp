@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "plugins/dataset/file_layouts/cameras.hpp"
+#include "plugins/dataset/file_layouts/faults.hpp"
 #include "plugins/dataset/file_layouts/text_file.hpp"
 #include "xgm/base/error.hpp"
 
@@ -13,10 +15,6 @@ namespace {
 constexpr double kMaxPixels = 1 << 20;
 
 /// "[f 0 cx; 0 f cy; 0 0 1]"
-struct Camera {
-  double focal, cx, cy;
-};
-
 Camera to_camera(const Line& value, const std::string& key) {
   std::string text = value.text;
   const bool bracketed = text.starts_with('[') && text.ends_with(']');
@@ -32,7 +30,7 @@ Camera to_camera(const Line& value, const std::string& key) {
     throw Error(value.place + ": " + key + " is \"" + value.text +
                 "\"; it must be [f 0 cx; 0 f cy; 0 0 1] with a focal length f above 0");
   }
-  return {m[0], m[2], m[5]};
+  return {value.place, key, m[0], m[2], m[5]};
 }
 
 int to_count(const Line& value, const std::string& key, const char* of_what) {
@@ -83,7 +81,9 @@ std::optional<Calibration> to_calibration(const Values& values, std::string& abs
   }
   const auto right = values.find("cam1");
   if (right == values.end()) return calibration;
-  const double offset = to_camera(right->second, "cam1").cx - left.cx;
+  const Camera other = to_camera(right->second, "cam1");
+  require_rectified(left, other);
+  const double offset = other.cx - left.cx;
   if (std::abs(offset - calibration.doffs) > 1) {
     throw Error(doffs.place + ": doffs is " + doffs.text + " but cx of cam1 less cx of cam0 is " +
                 std::to_string(offset) + "; correct the one that is wrong");
@@ -100,29 +100,45 @@ CalibTxt read_calib_txt(const std::string& file) {
   if (const auto ndisp = values.find("ndisp"); ndisp != values.end()) {
     result.disparities = Interval{0, to_count(ndisp->second, "ndisp", "disparities")};
   }
-  if (const auto width = values.find("width"); width != values.end()) {
-    result.width = to_count(width->second, "width", "pixels");
-  }
+  const auto side = [&](const std::string& key) {
+    const auto length = values.find(key);
+    return length == values.end() ? 0 : to_count(length->second, key, "pixels");
+  };
+  result.size = {side("width"), side("height")};
   return result;
 }
 
-CalibTxt add_calib_txt(SceneFiles& scene, const std::string& file) {
+namespace {
+
+void add(SceneFiles& scene, const std::string& file, const CalibTxt& read) {
+  scene.calibration = read.calibration;
+  scene.calibrated_size = read.size;
+  scene.disparities = read.disparities;
+  if (read.disparities) {
+    scene.disparities_file = file;
+  } else {
+    scene.missing.push_back("ndisp in calib.txt: which disparities to search");
+  }
+  if (!read.absent.empty()) {
+    scene.missing.push_back(read.absent +
+                            " in calib.txt: the cameras, by which disparities become depths");
+  } else if (read.size.width == 0 || read.size.height == 0) {
+    scene.missing.push_back(
+        "width, height in calib.txt: which size of images it is about, as a check");
+  }
+}
+
+}  // namespace
+
+void add_calib_txt(SceneFiles& scene, const std::string& file) {
   if (file.empty()) {
     scene.missing.push_back(
         "calib.txt: which disparities to search (ndisp), and the cameras, by "
         "which disparities become depths");
-    return {};
+    return;
   }
-  CalibTxt read = read_calib_txt(file);
   scene.calibration_file = file;
-  scene.calibration = read.calibration;
-  scene.disparities = read.disparities;
-  if (!read.disparities) scene.missing.push_back("ndisp in calib.txt: which disparities to search");
-  if (!read.absent.empty()) {
-    scene.missing.push_back(read.absent +
-                            " in calib.txt: the cameras, by which disparities become depths");
-  }
-  return read;
+  note_fault(scene, file, [&] { add(scene, file, read_calib_txt(file)); });
 }
 
 }  // namespace xgm::dataset

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "xgm/base/error.hpp"
+#include "xgm/base/file_names.hpp"
 
 namespace xgm::dataset {
 namespace fs = std::filesystem;
@@ -30,9 +31,11 @@ Listing::Listing(const std::string& folder) : path_(folder) {
   for (fs::directory_iterator i(folder, failure), end; !failure && i != end; i.increment(failure)) {
     const std::string name = i->path().filename().string();
     if (name.starts_with('.')) continue;
-    std::error_code dangling;  // a link that leads nowhere is no file
-    if (i->is_directory(dangling)) folders_.insert(name);
-    if (i->is_regular_file(dangling)) files_.insert(name);
+    std::error_code unusable;
+    const bool leads_nowhere = i->is_symlink(unusable) && !i->exists(unusable);
+    if (i->is_directory(unusable)) folders_.insert(name);
+    if (i->is_regular_file(unusable) || leads_nowhere) files_.insert(name);
+    if (leads_nowhere) dangling_.insert(name);
   }
   if (failure) {
     throw Error(folder + ": cannot be read: " + failure.message() + "; check the permissions");
@@ -40,23 +43,34 @@ Listing::Listing(const std::string& folder) : path_(folder) {
 }
 
 std::string Listing::file(const std::string& name) const {
-  return files_.contains(name) ? (fs::path(path_) / name).string() : "";
+  const std::string found = find_name(files_, name);
+  return found.empty() ? "" : (fs::path(path_) / found).string();
 }
 
 std::string Listing::folder(const std::string& name) const {
-  return folders_.contains(name) ? (fs::path(path_) / name).string() : "";
+  const std::string found = find_name(folders_, name);
+  return found.empty() ? "" : (fs::path(path_) / found).string();
 }
 
 std::string Listing::image(const std::string& stem) const {
   for (const char* ending : kEndings) {
     if (files_.contains(stem + ending)) return file(stem + ending);
   }
+  for (const char* ending : kEndings) {
+    if (const std::string found = file(stem + ending); !found.empty()) return found;
+  }
   return {};
 }
 
+std::string image_or(const Listing& folder, const std::string& stem, const char* ending) {
+  const std::string file = folder.image(stem);
+  return file.empty() ? (fs::path(folder.path()) / (stem + ending)).string() : file;
+}
+
 bool is_image(const std::string& name) {
+  const std::string lower = lower_case(name);
   return std::any_of(kEndings.begin(), kEndings.end(),
-                     [&](const char* ending) { return name.ends_with(ending); });
+                     [&](const char* ending) { return lower.ends_with(ending); });
 }
 
 std::string name_of(const std::string& folder) { return absolute(folder).filename().string(); }

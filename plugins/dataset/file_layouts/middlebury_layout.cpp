@@ -2,7 +2,6 @@
 #include "plugins/dataset/file_layouts/middlebury_layout.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <string_view>
 
 #include "plugins/dataset/file_layouts/folders.hpp"
@@ -16,13 +15,6 @@ bool has_images(const Listing& folder) {
   return !folder.image("im0").empty() || !folder.image("im1").empty();
 }
 
-std::string image_or_png(const Listing& folder, const char* stem) {
-  const std::string file = folder.image(stem);
-  return file.empty()
-             ? (std::filesystem::path(folder.path()) / (stem + std::string(".png"))).string()
-             : file;
-}
-
 std::string first_file(const Listing& folder, const char* name, const char* other) {
   const std::string file = folder.file(name);
   return file.empty() ? folder.file(other) : file;
@@ -30,23 +22,28 @@ std::string first_file(const Listing& folder, const char* name, const char* othe
 
 }  // namespace
 
-std::vector<Listing> pair_folders(const std::string& folder) {
-  return scene_folders(folder, has_images);
-}
+SceneFolders pair_folders(const std::string& folder) { return scene_folders(folder, has_images); }
 
 void add_images(SceneFiles& scene, const Listing& folder) {
-  scene.images.left = image_or_png(folder, "im0");
-  scene.images.right = image_or_png(folder, "im1");
+  scene.images.left = image_or(folder, "im0", ".png");
+  scene.images.right = image_or(folder, "im1", ".png");
 }
 
 bool is_tsukuba(const Listing& folder) {
-  return !folder.image("scene1.row3.col3").empty() && !folder.image("scene1.row3.col4").empty();
+  return !folder.image("scene1.row3.col3").empty() || !folder.image("scene1.row3.col4").empty();
 }
 
+bool is_map(const Listing& folder) {
+  const auto has = [&](const char* stem) { return !folder.image(stem).empty(); };
+  return !has("im2") && has("im0") && has("im1") && !folder.file("disp0.pgm").empty();
+}
+
+// Half a pair is a scene that lacks the other half, if its truth tells what it is.
 bool is_middlebury_2001(const Listing& folder) {
   const auto has = [&](const char* stem) { return !folder.image(stem).empty(); };
-  const bool is_map = has("im0") && has("im1") && !folder.file("disp0.pgm").empty();
-  return (has("im2") && has("im6")) || is_map || is_tsukuba(folder);
+  const bool is_of_set = has("disp2") || has("disp6");
+  return (has("im2") && has("im6")) || (is_of_set && (has("im2") || has("im6"))) ||
+         is_map(folder) || is_tsukuba(folder);
 }
 
 // A word, a number and a letter for the range of its disparities: "delivery_area_1l".

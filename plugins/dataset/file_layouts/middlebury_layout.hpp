@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "plugins/dataset/file_layouts/listing.hpp"
+#include "plugins/dataset/file_layouts/folders.hpp"
 #include "xgm/data/scene_files.hpp"
 
 namespace xgm::dataset {
 
 /// The folders with im0 or im1 that are not of 2001: `folder` itself, or those directly in it.
-std::vector<Listing> pair_folders(const std::string& folder);
+SceneFolders pair_folders(const std::string& folder);
 
 /// The pair; an image that is not there by the name it should have.
 void add_images(SceneFiles& scene, const Listing& folder);
@@ -21,6 +21,7 @@ void add_images(SceneFiles& scene, const Listing& folder);
 /// them: the pair is im2 and im6, or else there is 8-bit truth (map), or it is tsukuba.
 bool is_middlebury_2001(const Listing& folder);
 bool is_tsukuba(const Listing& folder);
+bool is_map(const Listing& folder);
 
 /// Whether this is a name as ETH3D's two-view scenes have it: "delivery_area_1l", "playground_3s".
 bool is_eth3d_name(const std::string& name);

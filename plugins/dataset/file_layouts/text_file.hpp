@@ -13,7 +13,8 @@ struct Line {
   std::string text;   ///< without the spaces around it
 };
 
-/// The lines that are not empty. Throws Error if the file is missing, unreadable or far too large.
+/// The lines that are not empty, of which there is at least one. A byte order mark is left out.
+/// Throws Error if the file is missing, unreadable, empty, no plain text or far too large.
 std::vector<Line> read_lines(const std::string& file);
 
 std::string_view trimmed(std::string_view text);

@@ -6,6 +6,7 @@
 #include "plugins/dataset/file_layouts/calib_txt.hpp"
 #include "plugins/dataset/file_layouts/listing.hpp"
 #include "plugins/dataset/folder/pattern.hpp"
+#include "xgm/base/file_names.hpp"
 #include "xgm/plugin.hpp"
 
 namespace {
@@ -24,9 +25,12 @@ struct FolderParameters {
   double weight = 1, scale = 1;
 };
 
-bool is_file(const std::string& file) {
+/// Whether there is something of that name, be it that it cannot be read.
+bool is_there(const std::string& file) {
+  namespace fs = std::filesystem;
   std::error_code unusable;
-  return std::filesystem::is_regular_file(file, unusable);
+  const fs::file_status status = fs::symlink_status(file, unusable);
+  return unusable ? unusable == std::errc::permission_denied : !fs::is_directory(status);
 }
 
 void describe_images(FolderParameters& p, ParameterSet& set) {
@@ -112,29 +116,35 @@ class Folder final : public Dataset {
 
   std::vector<SceneFiles> scenes(const std::string& folder) const override {
     const dataset::Listing readable(folder);
+    const auto is_scene = [&](const std::string& name) {
+      return is_there(path_of(p_.left, name, folder)) || is_there(path_of(p_.right, name, folder));
+    };
     std::vector<SceneFiles> found;
     if (!folder::has_gap(p_.left)) {
-      if (is_file(folder::fill(p_.left, "", folder))) {
-        found.push_back(scene(folder, dataset::name_of(folder)));
-      }
+      if (is_scene("")) found.push_back(scene(folder, dataset::name_of(folder)));
       return found;
     }
     for (const std::string& name : folder::names_that_fit(p_.left, folder)) {
-      if (is_file(folder::fill(p_.left, name, folder))) found.push_back(scene(folder, name));
+      if (is_scene(name)) found.push_back(scene(folder, name));
     }
     return found;
   }
 
  private:
+  static std::string path_of(const std::string& pattern, const std::string& name,
+                             const std::string& top) {
+    return find_path(folder::fill(pattern, name, top));
+  }
+
   SceneFiles scene(const std::string& top, const std::string& name) const {
     SceneFiles scene;
     scene.name = name;
     scene.weight = p_.weight;
     scene.scale = p_.scale;
-    const auto path = [&](const std::string& pattern) { return folder::fill(pattern, name, top); };
+    const auto path = [&](const std::string& pattern) { return path_of(pattern, name, top); };
     const auto optional = [&](const std::string& pattern, const char* what) {
       const std::string file = path(pattern);
-      if (file.empty() || is_file(file)) return file;
+      if (file.empty() || is_there(file)) return file;
       scene.missing.push_back(file + ": " + what);
       return std::string();
     };
@@ -152,6 +162,7 @@ class Folder final : public Dataset {
     if (!p_.disparities.empty()) {
       scene.disparities =
           Interval{static_cast<int>(p_.disparities[0]), static_cast<int>(p_.disparities[1]) + 1};
+      scene.disparities_file.clear();
     }
     return scene;
   }

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "plugins/dataset/file_layouts/listing.hpp"
+#include "xgm/base/file_names.hpp"
 
 namespace xgm::folder {
 namespace fs = std::filesystem;
@@ -26,7 +27,7 @@ std::optional<std::string> match(const std::string& part, const std::string& nam
   if (begin >= name.size()) return std::nullopt;
   for (std::size_t length = name.size() - begin; length > 0; --length) {
     const std::string scene = name.substr(begin, length);
-    if (replace_gaps(part, scene) == name) return scene;
+    if (lower_case(replace_gaps(part, scene)) == lower_case(name)) return scene;
   }
   return std::nullopt;
 }
@@ -55,7 +56,7 @@ std::set<std::string> names_that_fit(const std::string& pattern, const std::stri
   const fs::path path(pattern);
   for (auto part = path.begin(); part != path.end(); ++part) {
     if (!has_gap(part->string())) {
-      before /= *part;
+      before = find_path((before / *part).string());
       continue;
     }
     std::error_code unusable;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // KITTI's stereo benchmarks of 2012 and 2015: one folder per kind of file, one file per scene.
+#include <map>
 #include <optional>
 
+#include "plugins/dataset/file_layouts/faults.hpp"
 #include "plugins/dataset/file_layouts/listing.hpp"
 #include "plugins/dataset/kitti/projection.hpp"
+#include "xgm/base/file_names.hpp"
 #include "xgm/plugin.hpp"
 
 namespace {
@@ -92,25 +95,48 @@ class Kitti final : public Dataset {
     const Part occluded(top, layout.occluded), visible(top, layout.visible),
         objects(top, layout.objects), calibration(top, layout.calibration);
     std::vector<SceneFiles> found;
-    for (const std::string& name : left.files()) {
-      if (!name.ends_with(kFrame)) continue;
+    for (const auto& [frame, name] : frames(left, right)) {
       SceneFiles& scene = found.emplace_back();
-      scene.name = name.substr(0, name.rfind('.'));
-      scene.images.left = left.file(name);
-      scene.images.right = right.path() + "/" + name;
+      scene.name = frame;
+      scene.images.left = file_or(left, name);
+      scene.images.right = file_or(right, name);
       scene.truth.disparity = {occluded.file(name), kValuesPerPixel};
       scene.truth.visible = {visible.file(name), kValuesPerPixel};
       scene.truth.objects = objects.file(name);
       scene.disparities = kDisparities;
-      const std::string number = name.substr(0, name.size() - std::string(kFrame).size());
-      scene.calibration_file = calibration.file(number + ".txt");
-      if (!scene.calibration_file.empty()) {
-        scene.calibration = kitti::read_calibration(scene.calibration_file, layout.left_camera,
-                                                    layout.right_camera);
-      }
+      add_cameras(scene, calibration.file(frame.substr(0, frame.rfind('_')) + ".txt"), layout);
       tell_missing(scene, layout);
     }
     return found;
+  }
+
+  /// Names of scenes and their files: a frame of which one image is there lacks the other.
+  static std::map<std::string, std::string> frames(const Listing& left, const Listing& right) {
+    std::map<std::string, std::string> names;
+    for (const Listing* folder : {&left, &right}) {
+      for (const std::string& name : folder->files()) {
+        if (!lower_case(name).ends_with(kFrame)) continue;
+        const std::string frame = name.substr(0, name.rfind('.'));
+        if (name.ends_with(kFrame)) names[frame] = name;
+        names.emplace(frame, name);
+      }
+    }
+    return names;
+  }
+
+  static std::string file_or(const Listing& folder, const std::string& name) {
+    const std::string file = folder.file(name);
+    return file.empty() ? folder.path() + "/" + name : file;
+  }
+
+  static void add_cameras(SceneFiles& scene, const std::string& file, const Layout& layout) {
+    if (file.empty()) return;
+    scene.calibration_file = file;
+    dataset::note_fault(scene, file, [&] {
+      const auto cameras = kitti::read_cameras(file, layout.left_camera, layout.right_camera);
+      scene.calibration = cameras.calibration;
+      scene.calibrated_size = cameras.size;
+    });
   }
 
   static void tell_missing(SceneFiles& scene, const Layout& layout) {

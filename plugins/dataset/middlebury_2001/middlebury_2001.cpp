@@ -40,11 +40,9 @@ class Middlebury2001 final : public Dataset {
   }
 
   std::vector<SceneFiles> scenes(const std::string& folder) const override {
-    std::vector<SceneFiles> found;
-    for (const Listing& inner : dataset::scene_folders(folder, dataset::is_middlebury_2001)) {
-      found.push_back(scene_in(inner));
-    }
-    return found;
+    return dataset::scenes_of(
+        dataset::scene_folders(folder, dataset::is_middlebury_2001),
+        [this](const Listing& inner, auto& found) { found.push_back(scene_in(inner)); });
   }
 
  private:
@@ -54,13 +52,13 @@ class Middlebury2001 final : public Dataset {
     double divisor = divisor_of(scene.name);
     if (dataset::is_tsukuba(folder)) {
       divisor = 16;
-      scene.images.left = folder.image("scene1.row3.col3");
-      scene.images.right = folder.image("scene1.row3.col4");
+      scene.images.left = dataset::image_or(folder, "scene1.row3.col3", ".ppm");
+      scene.images.right = dataset::image_or(folder, "scene1.row3.col4", ".ppm");
       scene.truth.disparity.file = folder.image("truedisp.row3.col3");
     } else {
-      const bool is_map = folder.image("im2").empty();
-      scene.images.left = folder.image(is_map ? "im0" : "im2");
-      scene.images.right = folder.image(is_map ? "im1" : "im6");
+      const bool is_map = dataset::is_map(folder);
+      scene.images.left = dataset::image_or(folder, is_map ? "im0" : "im2", ".ppm");
+      scene.images.right = dataset::image_or(folder, is_map ? "im1" : "im6", ".ppm");
       scene.truth.disparity.file = folder.image(is_map ? "disp0" : "disp2");
       scene.truth.reverse.file = folder.image(is_map ? "disp1" : "disp6");
     }

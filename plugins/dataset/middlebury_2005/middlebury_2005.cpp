@@ -3,6 +3,7 @@
 #include <array>
 #include <fstream>
 
+#include "plugins/dataset/file_layouts/faults.hpp"
 #include "plugins/dataset/file_layouts/folders.hpp"
 #include "plugins/dataset/file_layouts/text_file.hpp"
 #include "xgm/plugin.hpp"
@@ -41,8 +42,17 @@ int size_divisor(const std::string& scene_folder, int height) {
   return 0;
 }
 
+double read_dmin(const std::string& file) {
+  const std::vector<dataset::Line> lines = dataset::read_lines(file);
+  if (lines.size() != 1) throw Error(file + ": must hold one number; take the data set's own file");
+  return dataset::to_number(lines[0].text, lines[0].place, "dmin");
+}
+
+/// Half a pair is a scene that lacks the other half, if something else tells what it is.
 bool is_scene(const Listing& folder) {
-  return !folder.image("view1").empty() && !folder.image("view5").empty();
+  const auto has = [&](const char* stem) { return !folder.image(stem).empty(); };
+  const bool is_of_set = has("disp1") || has("disp5") || !folder.file("dmin.txt").empty();
+  return (has("view1") && has("view5")) || (is_of_set && (has("view1") || has("view5")));
 }
 
 class Middlebury2005 final : public Dataset {
@@ -61,19 +71,17 @@ class Middlebury2005 final : public Dataset {
   std::string layout() const override { return "view1 and view5"; }
 
   std::vector<SceneFiles> scenes(const std::string& folder) const override {
-    std::vector<SceneFiles> found;
-    for (const Listing& inner : dataset::scene_folders(folder, is_scene)) {
-      found.push_back(scene_in(inner));
-    }
-    return found;
+    return dataset::scenes_of(
+        dataset::scene_folders(folder, is_scene),
+        [this](const Listing& inner, auto& found) { found.push_back(scene_in(inner)); });
   }
 
  private:
   SceneFiles scene_in(const Listing& folder) const {
     SceneFiles scene;
     scene.name = dataset::name_of(folder.path());
-    scene.images.left = folder.image("view1");
-    scene.images.right = folder.image("view5");
+    scene.images.left = dataset::image_or(folder, "view1", ".png");
+    scene.images.right = dataset::image_or(folder, "view5", ".png");
     const Size size = png_size(scene.images.left);
     const int divisor = p_.divisor > 0 ? p_.divisor : size_divisor(folder.path(), size.height);
     if (divisor == 0) {
@@ -114,12 +122,12 @@ class Middlebury2005 final : public Dataset {
       scene.missing.push_back("view1 as PNG: the size of the image, where the cameras are centred");
       return;
     }
-    const std::vector<dataset::Line> lines = dataset::read_lines(file);
-    if (lines.size() != 1) throw Error(file + ": must hold one number");
-    const double dmin = dataset::to_number(lines[0].text, lines[0].place, "dmin");
     scene.calibration_file = file;
-    scene.calibration = Calibration{kFocal / divisor, (size.width - 1) / 2.0,
-                                    (size.height - 1) / 2.0, dmin / divisor, kBaseline};
+    dataset::note_fault(scene, file, [&] {
+      scene.calibration =
+          Calibration{kFocal / divisor, (size.width - 1) / 2.0, (size.height - 1) / 2.0,
+                      read_dmin(file) / divisor, kBaseline};
+    });
   }
 
   Parameters p_;

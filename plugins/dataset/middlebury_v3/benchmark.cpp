@@ -19,7 +19,7 @@ double scale_of_folder(const std::string& name) {
   return 0;
 }
 
-double scale_of_width(const std::string& scene, std::optional<int> width) {
+double scale_of_width(const std::string& scene, int width) {
   // Full widths in px; a few px more or less make no difference to a factor of two.
   static const std::map<std::string, double> full{
       {"Adirondack", 2880},  {"ArtL", 1390},      {"Jadeplant", 2640},  {"Motorcycle", 2964},
@@ -27,8 +27,8 @@ double scale_of_width(const std::string& scene, std::optional<int> width) {
       {"Playroom", 2800},    {"Playtable", 2720}, {"PlaytableP", 2720}, {"Recycle", 2880},
       {"Shelves", 2950},     {"Teddy", 1800},     {"Vintage", 2900}};
   const auto known = full.find(scene);
-  if (known == full.end() || !width) return 1;
-  const double steps = std::round(std::log2(known->second / *width));
+  if (known == full.end() || width <= 0) return 1;
+  const double steps = std::round(std::log2(known->second / width));
   return steps <= 0 ? 1 : steps >= 2 ? 4 : 2;
 }
 

@@ -2,7 +2,6 @@
 // What Middlebury's evaluation, version 3, fixes per scene: weights and resolutions.
 #pragma once
 
-#include <optional>
 #include <string>
 
 namespace xgm::middlebury_v3 {
@@ -14,7 +13,7 @@ double weight(const std::string& scene);
 /// ("trainingQ", "testH", "trainingF"); 0 if it does not say.
 double scale_of_folder(const std::string& name);
 
-/// The same by the width of the images, for the training scenes; 1 for others.
-double scale_of_width(const std::string& scene, std::optional<int> width);
+/// The same by the width of the images (0: not known), for the training scenes; 1 for others.
+double scale_of_width(const std::string& scene, int width);
 
 }  // namespace xgm::middlebury_v3

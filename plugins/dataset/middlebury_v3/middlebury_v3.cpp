@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Middlebury's evaluation version 3 and its 2014 set; any folder with im0 and im1.
-#include <algorithm>
-
 #include "plugins/dataset/file_layouts/calib_txt.hpp"
 #include "plugins/dataset/file_layouts/middlebury_layout.hpp"
 #include "plugins/dataset/middlebury_v3/benchmark.hpp"
@@ -32,13 +30,13 @@ SceneFiles scene_in(const Listing& folder) {
   SceneFiles scene;
   scene.name = name.scene + name.rectification;
   dataset::add_images(scene, folder);
-  const dataset::CalibTxt calib = dataset::add_calib_txt(scene, folder.file("calib.txt"));
+  dataset::add_calib_txt(scene, folder.file("calib.txt"));
   dataset::add_truth(scene, folder);
   const double scale = scale_of_folder(dataset::name_of(dataset::parent_of(folder.path())));
   if (scale > 0) {
     scene.scale = scale;
   } else if (!folder.file("disp0GT.pfm").empty()) {  // not so the 2014 set: it is of full size
-    scene.scale = scale_of_width(scene.name, calib.width);
+    scene.scale = scale_of_width(scene.name, scene.calibrated_size.width);
   }
   scene.weight = weight(scene.name);
   return scene;
@@ -53,19 +51,17 @@ class MiddleburyV3 final : public Dataset {
   std::string layout() const override { return "im0 and im1"; }
 
   std::vector<SceneFiles> scenes(const std::string& folder) const override {
-    const std::vector<Listing> folders = dataset::pair_folders(folder);
-    std::vector<SceneFiles> found;
-    if (dataset::are_eth3d(folders)) return found;
-    for (const Listing& inner : folders) {
-      found.push_back(scene_in(inner));
-      add_variants(inner, found);
-    }
-    std::sort(found.begin(), found.end(),
-              [](const SceneFiles& a, const SceneFiles& b) { return a.name < b.name; });
-    return found;
+    const dataset::SceneFolders folders = dataset::pair_folders(folder);
+    if (dataset::are_eth3d(folders.scenes)) return {};
+    return dataset::scenes_of(folders, add_scenes);
   }
 
  private:
+  static void add_scenes(const Listing& folder, std::vector<SceneFiles>& found) {
+    found.push_back(scene_in(folder));
+    add_variants(folder, found);
+  }
+
   /// The right image under another exposure or lighting makes another scene of the same truth.
   static void add_variants(const Listing& folder, std::vector<SceneFiles>& found) {
     const SceneFiles plain = found.back();

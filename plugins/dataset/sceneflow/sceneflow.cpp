@@ -4,7 +4,8 @@
 #include <filesystem>
 #include <functional>
 
-#include "plugins/dataset/file_layouts/listing.hpp"
+#include "plugins/dataset/file_layouts/folders.hpp"
+#include "xgm/base/file_names.hpp"
 #include "xgm/plugin.hpp"
 
 namespace {
@@ -18,16 +19,6 @@ enum class Pass { clean, final };
 constexpr const char* kFolders[] = {"frames_cleanpass", "frames_finalpass"};
 constexpr const char* kNames[] = {"clean", "final"};
 
-/// Calls body(folder, path below the top) for each folder that holds both views.
-void for_each_sequence(const Listing& folder, const fs::path& below,
-                       const std::function<void(const Listing&, const fs::path&)>& body) {
-  if (!folder.folder("left").empty() && !folder.folder("right").empty()) body(folder, below);
-  for (const std::string& name : folder.folders()) {
-    if (name == "left" || name == "right") continue;
-    for_each_sequence(Listing(folder.folder(name)), below / name, body);
-  }
-}
-
 /// "TRAIN/A/0000", "0006" to "TRAIN_A_0000_0006": names may become names of files.
 std::string scene_name(const fs::path& sequence, const std::string& frame) {
   std::string name;
@@ -35,9 +26,26 @@ std::string scene_name(const fs::path& sequence, const std::string& frame) {
   return name + frame;
 }
 
-std::string file_if_there(const fs::path& file) {
+/// Adds what `body(folder, path below the top)` finds in each folder that holds both views. One
+/// that cannot be read is a scene with that fault.
+void add_sequences(const std::string& path, const fs::path& below, std::vector<SceneFiles>& found,
+                   const std::function<void(const Listing&, const fs::path&)>& body) {
+  try {
+    const Listing folder(path);
+    if (!folder.folder("left").empty() && !folder.folder("right").empty()) body(folder, below);
+    for (const std::string& name : folder.folders()) {
+      if (lower_case(name) == "left" || lower_case(name) == "right") continue;
+      add_sequences(folder.folder(name), below / name, found, body);
+    }
+  } catch (const Error& error) {
+    found.push_back(dataset::unreadable_scene(below.generic_string(), path, error.message()));
+  }
+}
+
+std::string file_if_there(const fs::path& path) {
+  const std::string file = find_path(path.string());
   std::error_code unusable;
-  return fs::is_regular_file(file, unusable) ? file.string() : "";
+  return fs::exists(fs::symlink_status(file, unusable)) ? file : "";
 }
 
 class SceneFlow final : public Dataset {
@@ -67,7 +75,7 @@ class SceneFlow final : public Dataset {
                   "'{type: sceneflow, pass: " +
                   kNames[1 - wanted] + "}'");
     }
-    for_each_sequence(Listing(images), {}, [&](const Listing& sequence, const fs::path& below) {
+    add_sequences(images, {}, found, [&](const Listing& sequence, const fs::path& below) {
       add_frames(sequence, below, top.folder("disparity"), found);
     });
     return found;
@@ -83,7 +91,7 @@ class SceneFlow final : public Dataset {
       const std::string frame = file.substr(0, file.rfind('.'));
       SceneFiles& scene = found.emplace_back();
       scene.name = scene_name(below, frame);
-      scene.images = {left.file(file), right.path() + "/" + file, "", ""};
+      scene.images = {left.file(file), find_path(right.path() + "/" + file), "", ""};
       const fs::path truth = fs::path(disparity) / below;
       if (!disparity.empty()) {  // positive numbers in both views
         scene.truth.disparity = {file_if_there(truth / "left" / (frame + ".pfm")), 1};

@@ -110,7 +110,7 @@ TEST_CASE(
   scene.disparities = Interval{0, 5};
   scene.dataset = "mine";
   CHECK(run_scene(pipeline, {.scene = scene}).disparities_from == "data set mine");
-  scene.calibration_file = files.write("calib.txt", "ndisp=5\n");
+  scene.disparities_file = files / "calib.txt";
   CHECK(run_scene(pipeline, {.scene = scene}).disparities_from == files / "calib.txt");
   const SceneRequest request{
       .scene = scene, .disparities = Interval{2, 6}, .disparities_from = "someone"};

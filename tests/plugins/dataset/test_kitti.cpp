@@ -80,17 +80,49 @@ TEST_CASE("kitti: 2012 in grey or in colour; test scenes lack their truth") {
   CHECK(contains(colour.images.right, "colored_1"));
 }
 
-TEST_CASE("kitti: faults are named") {
+TEST_CASE("kitti: the size of the images stands beside the cameras of 2015") {
   const Tree tree;
   add_2015(tree, "t");
-  tree.add_text("t/calib_cam_to_cam/000046.txt", "P_rect_02: 1 2 3\n");
-  CHECK(contains(tree.error("t"), "000046.txt:1: P_rect_02 must be 12 numbers"));
-  tree.add_text("t/calib_cam_to_cam/000046.txt", "P_rect_02: 1 0 0 0 0 1 0 0 0 0 1 0\n");
-  CHECK(contains(tree.error("t"), "neither P3 nor P_rect_03"));
+  CHECK(tree.scenes("t")[0].calibrated_size == cv::Size());
   tree.add_text("t/calib_cam_to_cam/000046.txt",
-                "P2: 1 0 0 0 0 1 0 0 0 0 1 0\nP3: 1 0 0 0 0 1 0 0 0 0 1 0\n");
-  CHECK(contains(tree.error("t"), "000046.txt:2: is not the camera to the right"));
-  std::filesystem::remove(tree / "t/image_3/000046_10.png");
-  std::filesystem::remove(tree / "t/calib_cam_to_cam/000046.txt");
-  CHECK(lacks(tree.scenes("t").at(0), "image_3/000046_10.png: without it"));
+                "S_rect_02: 1.242000e+03 3.750000e+02\r\n" + kProjections);
+  const SceneFiles scene = tree.scenes("t")[0];
+  CHECK(scene.calibrated_size == cv::Size(1242, 375));
+  CHECK(scene.calibration.has_value());
+  CHECK(scene.disparities_file == "");  // the benchmark's range holds for any size
+}
+
+TEST_CASE("kitti: faults of a calibration are the scene's, with file and line") {
+  const Tree tree;
+  add_2015(tree, "t");
+  const auto check = [&](const std::string& text, const std::string& message) {
+    tree.add_text("t/calib_cam_to_cam/000046.txt", text);
+    const SceneFiles scene = tree.scenes("t").at(0);
+    CHECK_MESSAGE(contains(faults(scene), message), faults(scene));
+    CHECK_FALSE(scene.calibration.has_value());
+    CHECK(scene.disparities == Interval{0, 256});
+  };
+  const std::string p2 = "P2: 1 0 0 0 0 1 0 0 0 0 1 0\n";
+  check("P_rect_02: 1 2 3\n", "000046.txt:1: P_rect_02 must be 12 numbers");
+  check("P_rect_02: nan 0 0 0 0 1 0 0 0 0 1 0\n", "000046.txt:1: P_rect_02 is \"nan\"");
+  check("P_rect_02: 1,5 0 0 0 0 1 0 0 0 0 1 0\n", "with a point before its decimals");
+  check("P_rect_02: 1 0 0 0 0 1 0 0 0 0 1 0\n", "neither P3 nor P_rect_03");
+  check(p2 + "P3: 1 0 0 0 0 1 0 0 0 0 1 0\n", "000046.txt:2: is not the camera to the right");
+  check(p2 + "P3: 2 0 0 -9 0 2 0 0 0 0 1 0\n",
+        "000046.txt:2: the focal length of P3 is 2 but that of P2 is 1");
+  check(p2 + "P3: 1 0 0 -9 0 1 7 0 0 0 1 0\n", "000046.txt:2: cy of P3 is 7");
+  check(p2 + "P3: 1 0.5 0 -9 0 1 0 0 0 0 1 0\n", "000046.txt:2: P3 is no projection");
+  check(p2 + p2, "000046.txt:2: P2 appears twice");
+  check("S_rect_02: 12\n" + kProjections, "000046.txt:1: S_rect_02 must be width and height");
+}
+
+TEST_CASE("kitti: a frame of which one image is there lacks the other") {
+  const Tree tree;
+  add_2015(tree, "t");
+  tree.add("t/image_2/000047_10.png");
+  tree.add("t/image_3/000048_10.png");
+  const auto scenes = tree.scenes("t");
+  REQUIRE(names(scenes) == "000046_10 000047_10 000048_10");
+  CHECK(lacks(scenes[1], "image_3/000047_10.png: without it"));
+  CHECK(lacks(scenes[2], "image_2/000048_10.png: without it"));
 }

@@ -93,5 +93,6 @@ TEST_CASE("middlebury_2005: of unknown size the truth is left out, not guessed; 
   write_png(tree / "Aloe/view1.png", cv::Mat1b(555, 2, 7.0));
   CHECK(tree.scenes()[0].truth.disparity.divisor == 2);
   tree.add_text("Aloe/dmin.txt", "two\n");
-  CHECK(contains(tree.error(), "dmin.txt:1: dmin is \"two\""));
+  CHECK(contains(faults(tree.scenes()[0]), "dmin.txt:1: dmin is \"two\""));
+  CHECK_FALSE(tree.scenes()[0].calibration.has_value());
 }

@@ -12,17 +12,6 @@ void add_scene(const Tree& tree, const std::string& folder) {
   tree.add_text(folder + "/calib.txt", kCalibTxt);
 }
 
-/// What is said of a calib.txt whose line `from` is replaced.
-std::string calib_error(const std::string& from, const std::string& to) {
-  const Tree tree;
-  tree.add("im0.png");
-  tree.add("im1.png");
-  std::string text = kCalibTxt;
-  text.replace(text.find(from), from.size(), to);
-  tree.add_text("calib.txt", text);
-  return tree.error();
-}
-
 }  // namespace
 
 TEST_CASE("middlebury_v3: the evaluation's training set, with range, cameras, weight and scale") {
@@ -107,19 +96,4 @@ TEST_CASE("middlebury_v3: half a pair is a scene that lacks the other half, and 
   CHECK(lacks(scenes[0], "a/im1.png: without it the scene cannot be matched"));
   CHECK_FALSE(lacks(scenes[1], "cannot be matched"));
   CHECK(lacks(scenes[2], "c/im0.png: without it the scene cannot be matched"));
-}
-
-TEST_CASE("calib.txt is read strictly, its faults have file and line") {
-  CHECK(
-      contains(calib_error("[1038.018 0 322.037;", "[1038.018 0 322.037 7;"), "calib.txt:1: cam0"));
-  CHECK(contains(calib_error("[1038.018 0 322.037;", "[1038.018 1 322.037;"), "calib.txt:1: cam0"));
-  CHECK(contains(calib_error("[1038.018", "[-1"), "calib.txt:1: cam0"));
-  CHECK(contains(calib_error("53.271", "53,271"), "calib.txt:3: doffs is \"53,271\""));
-  CHECK(contains(calib_error("53.271", "35.271"), "calib.txt:3: doffs is 35.271 but cx of cam1"));
-  CHECK(contains(calib_error("baseline=176.252", "baseline=0"), "calib.txt:4: baseline"));
-  CHECK(contains(calib_error("baseline=176.252", "baseline=inf"), "calib.txt:4: baseline"));
-  CHECK(contains(calib_error("ndisp=73", "ndisp=0"), "calib.txt:7: ndisp"));
-  CHECK(contains(calib_error("ndisp=73", "ndisp=7.5"), "calib.txt:7: ndisp"));
-  CHECK(contains(calib_error("isint=0", "doffs=53.271"), "calib.txt:8: doffs appears twice"));
-  CHECK(calib_error("isint=0", "isint=maybe").empty());
 }

@@ -56,6 +56,13 @@ inline std::string names(const std::vector<SceneFiles>& scenes) {
   return text;
 }
 
+/// All that is wrong with files of the scene, a line each.
+inline std::string faults(const SceneFiles& scene) {
+  std::string text;
+  for (const FileFault& fault : scene.faults) text += fault.message + '\n';
+  return text;
+}
+
 /// Whether some sentence of what is missing has this in it.
 inline bool lacks(const SceneFiles& scene, const std::string& what) {
   for (const std::string& sentence : scene.missing) {

@@ -2,6 +2,7 @@
 #include "xgm/data/image.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 #include "xgm/base/error.hpp"
 
@@ -22,6 +23,14 @@ void require_planes(const Image& image, const std::string& which) {
   }
 }
 
+bool is_same(const cv::Mat1f& a, const cv::Mat1f& b) {
+  const std::size_t row_bytes = static_cast<std::size_t>(a.cols) * sizeof(float);
+  for (int y = 0; y < a.rows; ++y) {
+    if (std::memcmp(a[y], b[y], row_bytes) != 0) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 cv::Mat1f Image::grey() const {
@@ -36,6 +45,11 @@ cv::Mat1f Image::grey() const {
                           planes[2].rowRange(rows) * 0.299f;
   }
   return grey;
+}
+
+bool have_same_pixels(const Image& a, const Image& b) {
+  return a.size() == b.size() &&
+         std::equal(a.planes.begin(), a.planes.end(), b.planes.begin(), b.planes.end(), is_same);
 }
 
 void require_sound(const ImagePair& pair) {

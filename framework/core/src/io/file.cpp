@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "xgm/io/file.hpp"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -50,6 +51,26 @@ void read_pieces(const std::string& file, Body body) {
 }
 
 }  // namespace
+
+std::string why_unreadable(const std::string& file) {
+  std::error_code failure;
+  const fs::file_status status = fs::status(file, failure);
+  if (!fs::exists(status)) {
+    const bool is_absent =
+        failure == std::errc::no_such_file_or_directory || failure == std::errc::not_a_directory;
+    if (failure && !is_absent) {
+      return "cannot be opened: " + failure.message();
+    }
+    std::error_code ignored;
+    const bool is_link = fs::is_symlink(fs::symlink_status(file, ignored));
+    return is_link ? "is a link that leads nowhere" : "no such file";
+  }
+  if (fs::is_directory(status)) return "is a folder";
+  if (::faccessat(AT_FDCWD, file.c_str(), R_OK, AT_EACCESS) != 0) {
+    return std::string("cannot be opened: ") + std::strerror(errno);
+  }
+  return {};
+}
 
 std::string read_file(const std::string& file, std::uint64_t limit) {
   std::string bytes;

@@ -5,6 +5,7 @@
 
 #include "plugin/binder.hpp"
 #include "xgm/base/error.hpp"
+#include "xgm/base/file_names.hpp"
 #include "xgm/base/suggest.hpp"
 #include "xgm/io/file.hpp"
 #include "xgm/io/scene.hpp"
@@ -47,14 +48,41 @@ std::vector<Named> datasets(const Registry& registry) {
   return found;
 }
 
+void note_if_unusable(SceneFiles& scene, const std::string& file, const std::string& remedy) {
+  if (file.empty() || !fault_of(scene, file).empty()) return;
+  std::string why = why_unreadable(file);
+  std::error_code unusable;
+  if (why.empty() && fs::is_empty(file, unusable)) why = "is empty";
+  if (!why.empty()) scene.faults.push_back({file, file + ": " + why + "; " + remedy});
+}
+
+bool is_absent(const std::string& file) {
+  std::error_code unusable;
+  const fs::file_type type = fs::symlink_status(file, unusable).type();
+  return type == fs::file_type::not_found || type == fs::file_type::directory;
+}
+
 /// What lacks an image is listed with the others, and fails only if it is matched.
-void note_missing_images(SceneFiles& scene) {
+void note_unusable_images(SceneFiles& scene) {
   for (const std::string& file :
        {scene.images.left, scene.images.right, scene.images.left_mask, scene.images.right_mask}) {
-    std::error_code unusable;
-    if (file.empty() || fs::is_regular_file(file, unusable)) continue;
-    scene.missing.push_back(file + ": without it the scene cannot be matched");
+    if (file.empty()) continue;
+    if (is_absent(file)) {
+      scene.missing.push_back(file + ": without it the scene cannot be matched");
+    } else {
+      note_if_unusable(scene, file, "without it the scene cannot be matched");
+    }
   }
+}
+
+void note_unusable_files(SceneFiles& scene) {
+  note_unusable_images(scene);
+  const TruthFiles& truth = scene.truth;
+  for (const std::string& file : {truth.disparity.file, truth.reverse.file, truth.visible.file,
+                                  truth.non_occluded, truth.objects}) {
+    note_if_unusable(scene, file, "without it maps cannot be judged");
+  }
+  note_if_unusable(scene, scene.calibration_file, "mend it, or remove it");
 }
 
 /// The data set's scenes, their names looked after.
@@ -64,7 +92,7 @@ std::vector<SceneFiles> scenes_of(const Named& named, const std::string& folder)
             [](const SceneFiles& a, const SceneFiles& b) { return a.name < b.name; });
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     scenes[i].dataset = named.name;
-    note_missing_images(scenes[i]);
+    note_unusable_files(scenes[i]);
     if (i > 0 && scenes[i].name == scenes[i - 1].name) {
       throw Error(folder + ": holds two scenes called '" + scenes[i].name + "'; rename one");
     }
@@ -116,13 +144,14 @@ std::vector<SceneFiles> find(const std::string& folder, const Registry& registry
   if (fs::is_regular_file(dataset, unusable)) {
     return scenes_that_must_be(bind_file(dataset, registry), folder);
   }
-  if (dataset.ends_with(".yaml") || dataset.ends_with(".yml")) {
+  const std::string ending = lower_case(fs::path(dataset).extension().string());
+  if (ending == ".yaml" || ending == ".yml") {
     throw Error(dataset + ": no such file; check the path of the data set's description");
   }
   if (!dataset.empty()) {
     return scenes_that_must_be(bind_dataset(dataset, "data set", registry), folder);
   }
-  const std::string described = (fs::path(folder) / "dataset.yaml").string();
+  const std::string described = find_path((fs::path(folder) / "dataset.yaml").string());
   if (fs::exists(described, unusable)) {
     return scenes_that_must_be(bind_file(described, registry), folder);
   }

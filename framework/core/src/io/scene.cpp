@@ -3,6 +3,9 @@
 
 #include <sstream>
 
+#include "io/raster.hpp"
+#include "xgm/base/error.hpp"
+
 namespace xgm {
 namespace {
 
@@ -15,7 +18,37 @@ void note_masked_share(const Image& image, const char* which, std::vector<std::s
   notes.push_back(text.str());
 }
 
+/// What tells that the calibration is of other images; "" if nothing does.
+std::string size_mismatch(const SceneFiles& scene, cv::Size size) {
+  const cv::Size& known = scene.calibrated_size;
+  const auto fits = [](int calibrated, int side) { return calibrated == 0 || calibrated == side; };
+  if (fits(known.width, size.width) && fits(known.height, size.height)) return {};
+  const auto side = [](int length) { return length > 0 ? std::to_string(length) : "?"; };
+  return scene.calibration_file + ": is about images of " + side(known.width) + " x " +
+         side(known.height) + " pixels but these are " + size_text(size);
+}
+
 }  // namespace
+
+std::string fault_of(const SceneFiles& scene, const std::string& file) {
+  for (const FileFault& fault : scene.faults) {
+    if (fault.file == file) return fault.message;
+  }
+  return {};
+}
+
+void require_calibrated_size(const SceneFiles& scene, cv::Size size) {
+  const std::string mismatch = size_mismatch(scene, size);
+  if (!mismatch.empty()) throw Error(mismatch + "; give the calibration of this size");
+}
+
+void require_disparities_of_size(const SceneFiles& scene, cv::Size size) {
+  const std::string mismatch = scene.disparities_file.empty() ? "" : size_mismatch(scene, size);
+  if (mismatch.empty()) return;
+  throw Error(mismatch +
+              ", so that ndisp is not theirs; give the calibration of this size, or the range with "
+              "--disparities MIN:MAX");
+}
 
 Scene load_scene(const SceneFiles& files) {
   Scene scene;
@@ -32,7 +65,8 @@ Scene load_scene(const SceneFiles& files) {
                                    {"left mask", files.images.left_mask},
                                    {"right mask", files.images.right_mask},
                                    {"calibration", files.calibration_file}}) {
-    if (!file.empty()) scene.inputs.push_back({role, file, identify_file(file)});
+    const bool is_used = !file.empty() && fault_of(files, file).empty();
+    if (is_used) scene.inputs.push_back({role, file, identify_file(file)});
   }
   return scene;
 }

@@ -21,6 +21,22 @@ Json cameras(const Calibration& c) {
           {"baseline_mm", c.baseline}};
 }
 
+Json faults(const std::vector<FileFault>& all) {
+  Json list = Json::array();
+  for (const FileFault& fault : all) {
+    list.push_back({{"file", fault.file}, {"message", fault.message}});
+  }
+  return list;
+}
+
+/// What the calibration says of the images' size; null, or a side that is null, if it does not
+/// tell.
+Json size(const cv::Size& pixels) {
+  if (pixels == cv::Size()) return nullptr;
+  const auto side = [](int length) { return length > 0 ? Json(length) : Json(nullptr); };
+  return {{"width", side(pixels.width)}, {"height", side(pixels.height)}};
+}
+
 Json scene_json(const SceneFiles& scene) {
   Json json{{"name", scene.name},
             {"dataset", scene.dataset},
@@ -36,9 +52,11 @@ Json scene_json(const SceneFiles& scene) {
             {"objects", path(scene.truth.objects)},
             {"calibration_file", path(scene.calibration_file)},
             {"calibration", nullptr},
+            {"calibrated_size", size(scene.calibrated_size)},
             {"weight", scene.weight},
             {"scale", scene.scale},
-            {"missing", scene.missing}};
+            {"missing", scene.missing},
+            {"faults", faults(scene.faults)}};
   if (scene.disparities) {
     json["disparities"] = {{"first", scene.disparities->begin},
                            {"last", scene.disparities->end - 1}};

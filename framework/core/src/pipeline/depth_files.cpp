@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "xgm/base/error.hpp"
+#include "xgm/base/file_names.hpp"
 #include "xgm/io/output_folder.hpp"
 #include "xgm/io/point_cloud.hpp"
 
@@ -18,10 +19,23 @@ namespace {
 void require_ending(const char* option, const std::string& file,
                     std::initializer_list<std::string_view> endings) {
   if (file.empty()) return;
-  const std::string ending = fs::path(file).extension().string();
+  const std::string ending = lower_case(fs::path(file).extension().string());
   if (std::find(endings.begin(), endings.end(), ending) != endings.end()) return;
   throw UsageError(std::string(option) + " " + file + ": the name must end in " +
                    std::string(*endings.begin()));
+}
+
+void require_cameras(const std::string& option, const SceneRequest& request) {
+  const bool known =
+      std::visit([](const auto& scene) { return scene.calibration.has_value(); }, request.scene);
+  if (known) return;
+  if (const auto* scene = std::get_if<SceneFiles>(&request.scene)) {
+    const std::string fault = fault_of(*scene, scene->calibration_file);
+    if (!fault.empty()) throw UsageError(option + fault);
+  }
+  throw UsageError(option +
+                   "the cameras are not known; give a scene folder whose calib.txt has cam0, "
+                   "doffs and baseline ('pipeline scenes FOLDER' tells what is missing)");
 }
 
 void require_no_input(const char* option, const std::string& file, const SceneFiles& scene) {
@@ -53,14 +67,7 @@ void require_writable_file(const char* option, const std::string& file) {
 
 DepthFiles check_depth_files(DepthFiles files, const SceneRequest& request) {
   if (files.empty()) return files;
-  const bool known =
-      std::visit([](const auto& scene) { return scene.calibration.has_value(); }, request.scene);
-  if (!known) {
-    const std::string what = files.cloud.empty() ? "--depth" : "--cloud";
-    throw UsageError(what +
-                     ": the cameras are not known; give a scene folder whose calib.txt has cam0, "
-                     "doffs and baseline ('pipeline scenes FOLDER' tells what is missing)");
-  }
+  require_cameras(files.cloud.empty() ? "--depth: " : "--cloud: ", request);
   if (files.depth.empty()) {
     files.depth = fs::path(files.cloud).replace_extension().string() + "_depth.tiff";
   }
@@ -72,6 +79,11 @@ DepthFiles check_depth_files(DepthFiles files, const SceneRequest& request) {
   require_writable_file("--cloud", files.cloud);
   require_writable_file("--depth", files.depth);
   return files;
+}
+
+void require_cameras_of_size(const DepthFiles& files, const SceneRequest& request, cv::Size size) {
+  const auto* scene = std::get_if<SceneFiles>(&request.scene);
+  if (!files.empty() && scene != nullptr) require_calibrated_size(*scene, size);
 }
 
 std::size_t write_depth_files(const DepthFiles& files, const DisparityMap& map,

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "xgm/pipeline/scene_inputs.hpp"
 
-#include <filesystem>
-
 #include "base/stopwatch.hpp"
 #include "xgm/base/error.hpp"
 
@@ -16,9 +14,8 @@ struct Search {
 };
 
 void require_file(const std::string& file, const std::string& what, const std::string& remedy) {
-  std::error_code unusable;
-  if (file.empty() || std::filesystem::is_regular_file(file, unusable)) return;
-  throw UsageError(what + file + ": no such file; " + remedy);
+  const std::string why = file.empty() ? "" : why_unreadable(file);
+  if (!why.empty()) throw UsageError(what + file + ": " + why + "; " + remedy);
 }
 
 /// A scene may be listed without them. What cannot go well is not begun.
@@ -26,6 +23,7 @@ void require_images(const SceneFiles& scene) {
   const PairFiles& images = scene.images;
   const std::string what = "scene " + scene.name + " cannot be matched: ";
   if (images.left.empty() || images.right.empty()) {
+    if (!scene.faults.empty()) throw UsageError(what + scene.faults.front().message);
     throw UsageError(what + "it has no " + (images.left.empty() ? "left" : "right") +
                      " image; give both");
   }
@@ -63,7 +61,7 @@ void require_range_maps(const RangeMapFiles& files, const Pipeline& pipeline) {
 /// What the scene itself says is to be searched.
 std::optional<Search> search_of(const SceneFiles& scene) {
   if (!scene.disparities) return std::nullopt;
-  const std::string& file = scene.calibration_file;
+  const std::string& file = scene.disparities_file;
   return Search{*scene.disparities, file.empty() ? "data set " + scene.dataset : file};
 }
 
@@ -79,6 +77,12 @@ Search search_of(const SceneRequest& request, const Pipeline& pipeline) {
       std::visit([](const auto& scene) { return search_of(scene); }, request.scene);
   if (of_scene) return *of_scene;
   if (pipeline.disparities()) return {*pipeline.disparities(), "pipeline"};
+  if (const auto* files = std::get_if<SceneFiles>(&request.scene)) {
+    const std::string fault = fault_of(*files, files->calibration_file);
+    if (!fault.empty()) {
+      throw UsageError(fault + "; or say which disparities to search: --disparities MIN:MAX");
+    }
+  }
   throw UsageError(
       "nothing says which disparities to search; add --disparities MIN:MAX, or a line "
       "ndisp=NUMBER to the scene's calib.txt, or 'disparities: [MIN, MAX]' to the pipeline");
@@ -130,6 +134,30 @@ void read_truth(const TruthFiles& files, Scene& scene) {
   for (InputFile& file : identify_truth(files)) scene.inputs.push_back(std::move(file));
 }
 
+/// What the calibration says holds for one size of images. Cameras that cannot be used are warned
+/// of; a range that is searched must be right.
+void check_calibration(const SceneFiles& files, const SceneRequest& request, Scene& scene,
+                       std::vector<std::string>& warnings) {
+  const std::string unused = "the calibration is not used: ";
+  const std::string fault = fault_of(files, files.calibration_file);
+  if (!fault.empty()) warnings.push_back(unused + fault);
+  const cv::Size size = scene.pair.size();
+  if (!request.range_maps && !request.disparities) require_disparities_of_size(files, size);
+  try {
+    require_calibrated_size(files, size);
+  } catch (const Error& error) {
+    scene.calibration.reset();
+    warnings.push_back(unused + error.message());
+  }
+}
+
+/// Also two files may hold one image.
+void check_images(const Scene& scene, std::vector<std::string>& warnings) {
+  if (!have_same_pixels(scene.pair.base, scene.pair.match)) return;
+  warnings.push_back(
+      "the left and the right image are the same: every disparity is 0; give both views");
+}
+
 /// What comes with the scene is a help, no wish of the user: if it is of no use, the run goes on.
 void read_truth_of_scene(const SceneFiles& files, SceneInputs& inputs) {
   try {
@@ -160,9 +188,13 @@ SceneInputs read_scene(const SceneRequest& request, const Pipeline& pipeline) {
   const Search search = search_of(request, pipeline);
   const auto* files = std::get_if<SceneFiles>(&request.scene);
   Scene scene = files != nullptr ? load_scene(*files) : std::get<Scene>(request.scene);
+  std::vector<std::string> warnings;
+  check_images(scene, warnings);
+  if (files != nullptr) check_calibration(*files, request, scene, warnings);
   DisparityRange range =
       request.range_maps ? read_range(*request.range_maps, scene) : make_range(search, scene);
-  SceneInputs inputs{std::move(scene), std::move(range), search.from, request.memory_limit, {}};
+  SceneInputs inputs{std::move(scene), std::move(range), search.from, request.memory_limit,
+                     std::move(warnings)};
   if (request.truth) {
     read_truth(*request.truth, inputs.scene);
   } else if (files != nullptr) {

@@ -54,7 +54,7 @@ void identify_images(std::vector<BenchScene>& scenes) {
     scene.images.clear();
     for (const std::string& file : {files.left, files.right, files.left_mask, files.right_mask}) {
       // What is missing fails when it is run, and stops no other scene.
-      const bool is_there = !file.empty() && fs::is_regular_file(file);
+      const bool is_there = !file.empty() && why_unreadable(file).empty();
       scene.images.push_back(is_there ? identify_file(file) : FileIdentity{});
     }
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "xgm/base/error.hpp"
 #include "xgm/base/json.hpp"
 #include "xgm/evaluation/bench_tables.hpp"
 #include "xgm/io/pfm.hpp"
@@ -50,7 +51,9 @@ BenchCell judge_cell(const std::string& folder, const BenchScene& scene, const B
   EvaluationRules evaluation{.deltas = rules.thresholds,
                              .scale = rules.scale > 0 ? rules.scale : scene.files.scale};
   const auto& searched = scene.files.disparities;
-  if (rules.clip && searched) evaluation.clip = benchmark_clip(*searched);
+  if (rules.clip && !searched) throw Error("--clip: the scene has no ndisp to clip to");
+  if (rules.clip) require_disparities_of_size(scene.files, map.size());
+  if (rules.clip) evaluation.clip = benchmark_clip(*searched);
   cell.regions = evaluate_regions(map, load_truth(scene.files.truth, map.size()), evaluation);
   return cell;
 }

@@ -38,7 +38,8 @@ std::vector<BenchScene> find_bench_scenes(const std::vector<std::string>& folder
     for (SceneFiles& files : find_scenes(folder, registry, dataset)) {
       const auto left = std::filesystem::weakly_canonical(files.images.left, ignored);
       // Scenes may share an image: the same left one with a right one of another exposure.
-      if (!known.insert({left, files.name}).second) continue;
+      const bool is_first = known.insert({left, files.name}).second;
+      if (!is_first && !files.images.left.empty()) continue;
       scenes.push_back({.set = {}, .data_folder = folder, .files = std::move(files)});
     }
   }

@@ -138,6 +138,7 @@ RecordedRun record_scene(const Pipeline& pipeline, const SceneRequest& scene,
   make_output_folder(request.folder, "--output ");
   request.tell("reading the images");
   SceneInputs inputs = read_scene(scene, pipeline);
+  require_cameras_of_size(depth, scene, inputs.scene.pair.size());
   Watchers watchers(request, inputs.scene, options.observer);
   RunOptions watched = options;
   watched.observer = &watchers.all;

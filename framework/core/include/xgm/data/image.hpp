@@ -42,6 +42,9 @@ struct XGM_API ImagePair {
   ImagePair swapped() const { return {match, base, !is_reverse}; }
 };
 
+/// Whether two images of one size have the same values in all planes, bit for bit.
+XGM_API bool have_same_pixels(const Image& a, const Image& b);
+
 /// Throws UsageError unless both images have pixels, one or three planes, and all planes and masks
 /// of both are of one size.
 XGM_API void require_sound(const ImagePair& pair);

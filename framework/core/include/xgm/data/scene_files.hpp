@@ -2,6 +2,7 @@
 // The files of a scene, and what is known of it before an image is opened.
 #pragma once
 
+#include <opencv2/core/types.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,6 +38,12 @@ struct TruthFiles {
   std::string objects{};       ///< KITTI's object map: 0 = background
 };
 
+/// What is wrong with a file of a scene.
+struct FileFault {
+  std::string file{};
+  std::string message{};  ///< one sentence: the file, the place in it, and the remedy
+};
+
 /// A scene of a data set.
 struct SceneFiles {
   std::string name{};     ///< "Motorcycle", unique in its data set
@@ -45,13 +52,18 @@ struct SceneFiles {
   TruthFiles truth{};
   std::string calibration_file{};  ///< empty if there is none
   std::optional<Calibration> calibration{};
+  /// Of the images that calibration_file is about, px; a side that it does not tell is 0.
+  cv::Size calibrated_size{};
   std::optional<Interval> disparities{};  ///< to search, if the data set gives them
+  std::string disparities_file{};         ///< where they stand; empty: the data set knows them
   double weight = 1;                      ///< of this scene in the benchmark's averages
   /// Size of a pixel in pixels of the benchmark's full resolution (4 in Middlebury's trainingQ).
   double scale = 1;
   /// What other scenes of this kind have but this one lacks: one sentence each, with its purpose
   /// and where to get it.
   std::vector<std::string> missing{};
+  /// What is there but of no use. It stops no other scene, and this one only if it is needed.
+  std::vector<FileFault> faults{};
 };
 
 }  // namespace xgm

@@ -16,6 +16,11 @@ namespace xgm {
 /// larger than `limit` bytes.
 XGM_API std::string read_file(const std::string& file, std::uint64_t limit = UINT64_MAX);
 
+/// Why a file cannot be opened, as far as that shows without trying: "no such file", "is a link
+/// that leads nowhere", "cannot be opened: Permission denied", ...; "" if nothing stands in the
+/// way.
+XGM_API std::string why_unreadable(const std::string& file);
+
 /// The first bytes of a file, at most `count`. Throws Error like read_file.
 XGM_API std::string read_head(const std::string& file, std::size_t count);
 

@@ -52,6 +52,15 @@ XGM_API SceneFiles find_scene(const std::string& folder, const Registry& registr
 /// The scenes as a JSON list; unknown values are null.
 XGM_API std::string to_json(const std::vector<SceneFiles>& scenes);
 
+/// What is known to be wrong with a file of the scene; "" if nothing is.
+XGM_API std::string fault_of(const SceneFiles& scene, const std::string& file);
+
+/// Throws Error if the calibration is of images of another size: its cameras hold for that size
+/// only.
+XGM_API void require_calibrated_size(const SceneFiles& scene, cv::Size size);
+/// The same of the disparities to search, if it is the calibration that gives them.
+XGM_API void require_disparities_of_size(const SceneFiles& scene, cv::Size size);
+
 /// Reads the images. Throws Error.
 XGM_API Scene load_scene(const SceneFiles& files);
 

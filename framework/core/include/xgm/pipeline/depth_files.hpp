@@ -24,6 +24,11 @@ struct DepthFiles {
 /// scene is read from.
 XGM_API DepthFiles check_depth_files(DepthFiles files, const SceneRequest& request);
 
+/// Throws Error if depths are asked for, but the scene's cameras are those of images of another
+/// size than these, which have been read.
+XGM_API void require_cameras_of_size(const DepthFiles& files, const SceneRequest& request,
+                                     cv::Size size);
+
 /// Writes depths and points, in the unit of the baseline (mm), coloured by the left image. Returns
 /// the number of points, 0 without a cloud. Throws Error.
 XGM_API std::size_t write_depth_files(const DepthFiles& files, const DisparityMap& map,

@@ -20,7 +20,8 @@ class XGM_API Dataset : public Stage {
 
   /// The scenes of this data set in `folder`, sorted by name: the folder itself may be a scene, or
   /// hold scenes in the data set's own layout. None if it is laid out otherwise. Opens no image.
-  /// Throws Error, naming the file and the remedy, if it is such a folder but cannot be used.
+  /// Throws Error, naming the file and the remedy, if it is such a folder but cannot be used. What
+  /// is wrong with a file of one scene is told in SceneFiles::faults, and stops no other scene.
   virtual std::vector<SceneFiles> scenes(const std::string& folder) const = 0;
 
   /// What a scene of this layout has, in a few words for messages: "im0 and im1".

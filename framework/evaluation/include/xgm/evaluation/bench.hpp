@@ -58,22 +58,6 @@ struct BenchRequest {
   int threads = 0;
 };
 
-/// The scenes in the given folders, found by find_scenes, each once. The scenes of one folder form
-/// a set with the name of the folder. Scenes that are given one by one belong to the set of their
-/// parent folder. If `names` is not empty, only these scenes. Throws Error, also for a name that no
-/// scene has.
-XGM_API std::vector<BenchScene> find_bench_scenes(const std::vector<std::string>& folders,
-                                                  const Registry& registry,
-                                                  const std::string& dataset,
-                                                  const std::vector<std::string>& names);
-/// Reads the images of all scenes, to detect later changes. Throws Error.
-XGM_API void identify_images(std::vector<BenchScene>& scenes);
-/// Makes names unique and usable for folders: pipelines of the same name become "sgm8", "sgm8-2".
-XGM_API void name_folders(std::vector<BenchPipeline>& pipelines);
-/// What decides of a program's results: its file, the libraries and the plugin files given.
-XGM_API std::vector<FileIdentity> identify_program(const std::string& program,
-                                                   const std::vector<std::string>& plugins);
-
 /// How maps are evaluated.
 struct BenchRules {
   std::vector<double> thresholds = usual_thresholds();  ///< px after scaling
@@ -82,6 +66,25 @@ struct BenchRules {
   /// A region of evaluate_regions. Empty: "non-occluded", or "all" for scenes without that region.
   std::string region;
 };
+
+/// The scenes in the given folders, found by find_scenes, each once. The scenes of one folder form
+/// a set with the name of the folder. Scenes that are given one by one belong to the set of their
+/// parent folder. If `names` is not empty, only these scenes. Throws Error, also for a name that no
+/// scene has.
+XGM_API std::vector<BenchScene> find_bench_scenes(const std::vector<std::string>& folders,
+                                                  const Registry& registry,
+                                                  const std::string& dataset,
+                                                  const std::vector<std::string>& names);
+/// Throws UsageError if nothing says which disparities to search in any scene, or which ones to
+/// clip to in a scene without faults.
+XGM_API void check_bench(const BenchRequest& request, const BenchRules& rules);
+/// Reads the images of all scenes, to detect later changes. Throws Error.
+XGM_API void identify_images(std::vector<BenchScene>& scenes);
+/// Makes names unique and usable for folders: pipelines of the same name become "sgm8", "sgm8-2".
+XGM_API void name_folders(std::vector<BenchPipeline>& pipelines);
+/// What decides of a program's results: its file, the libraries and the plugin files given.
+XGM_API std::vector<FileIdentity> identify_program(const std::string& program,
+                                                   const std::vector<std::string>& plugins);
 
 enum class CellState { not_run, failed, done };
 
