@@ -71,25 +71,27 @@ TruthFiles& truth_of(Run& run) {
 
 using File = const std::string&;
 
-const std::vector<Input> kInputs{
-    {"left image", [](Run& run, File file) { run.scene.images.left = file; }},
-    {"right image", [](Run& run, File file) { run.scene.images.right = file; }},
-    {"left mask", [](Run& run, File file) { run.scene.images.left_mask = file; }},
-    {"right mask", [](Run& run, File file) { run.scene.images.right_mask = file; }},
-    {"calibration", [](Run& run, File file) { run.scene.calibration_file = file; }},
-    {"truth of the scene", [](Run& run, File file) { run.scene.truth.disparity.file = file; }},
-    {"reverse truth", [](Run& run, File file) { run.scene.truth.reverse.file = file; }},
-    {"truth of visible pixels", [](Run& run, File file) { run.scene.truth.visible.file = file; }},
-    {"mask of the scene", [](Run& run, File file) { run.scene.truth.non_occluded = file; }},
-    {"objects", [](Run& run, File file) { run.scene.truth.objects = file; }},
-    {"--truth", [](Run& run, File file) { truth_of(run).disparity.file = file; }},
-    {"--truth-mask", [](Run& run, File file) { truth_of(run).non_occluded = file; }},
-    {"smallest disparities", [](Run& run, File file) { maps_of(run).min = file; }},
-    {"largest disparities", [](Run& run, File file) { maps_of(run).max = file; }},
-    {"pipeline", [](Run& run, File file) { run.pipeline_file = file; }},
-    {"plugin file", [](Run& run, File file) {
-       run.record.inputs = {{"plugin file", file}};
-     }}};
+std::vector<Input> inputs() {
+  return {
+      {"left image", [](Run& run, File file) { run.scene.images.left = file; }},
+      {"right image", [](Run& run, File file) { run.scene.images.right = file; }},
+      {"left mask", [](Run& run, File file) { run.scene.images.left_mask = file; }},
+      {"right mask", [](Run& run, File file) { run.scene.images.right_mask = file; }},
+      {"calibration", [](Run& run, File file) { run.scene.calibration_file = file; }},
+      {"truth of the scene", [](Run& run, File file) { run.scene.truth.disparity.file = file; }},
+      {"reverse truth", [](Run& run, File file) { run.scene.truth.reverse.file = file; }},
+      {"truth of visible pixels", [](Run& run, File file) { run.scene.truth.visible.file = file; }},
+      {"mask of the scene", [](Run& run, File file) { run.scene.truth.non_occluded = file; }},
+      {"objects", [](Run& run, File file) { run.scene.truth.objects = file; }},
+      {"--truth", [](Run& run, File file) { truth_of(run).disparity.file = file; }},
+      {"--truth-mask", [](Run& run, File file) { truth_of(run).non_occluded = file; }},
+      {"smallest disparities", [](Run& run, File file) { maps_of(run).min = file; }},
+      {"largest disparities", [](Run& run, File file) { maps_of(run).max = file; }},
+      {"pipeline", [](Run& run, File file) { run.pipeline_file = file; }},
+      {"plugin file", [](Run& run, File file) {
+         run.record.inputs = {{"plugin", file}};
+       }}};
+}
 
 const std::vector<std::string> kOutputs{"disparity.pfm", "disparity.png", "status.png",
                                         "run.json",      "report.html",   "explain.json",
@@ -105,35 +107,36 @@ std::string at_output(const Run& run, const std::string& name) {
   return run.write("out/" + name, xgm::testing::kNoisePipeline);
 }
 
-const std::vector<Way> kWays{
-    {"same path", at_output},
-    {"relative path",
-     [](Run& run, File name) { return fs::relative(at_output(run, name)).string(); }},
-    {"path with ..",
-     [](Run& run, File name) {
-       at_output(run, name);
-       return run / ("scene/../out/./" + name);
-     }},
-    {"link to the output",
-     [](Run& run, File name) {
-       fs::create_symlink(at_output(run, name), run / "link");
-       return run / "link";
-     }},
-    {"link at the output",
-     [](Run& run, File name) {
-       fs::create_symlink(run.place("input"), run / ("out/" + name));
-       return run / "scene/input";
-     }},
-    {"link to the folder",
-     [](Run& run, File name) {
-       at_output(run, name);
-       fs::create_directory_symlink("out", run / "folder");
-       return run / ("folder/" + name);
-     }},
-    {"hard link", [](Run& run, File name) {
-       fs::create_hard_link(at_output(run, name), run / "link");
-       return run / "link";
-     }}};
+std::vector<Way> ways() {
+  return {{"same path", at_output},
+          {"relative path",
+           [](Run& run, File name) { return fs::relative(at_output(run, name)).string(); }},
+          {"path with ..",
+           [](Run& run, File name) {
+             at_output(run, name);
+             return run / ("scene/../out/./" + name);
+           }},
+          {"link to the output",
+           [](Run& run, File name) {
+             fs::create_symlink(at_output(run, name), run / "link");
+             return run / "link";
+           }},
+          {"link at the output",
+           [](Run& run, File name) {
+             fs::create_symlink(run.place("input"), run / ("out/" + name));
+             return run / "scene/input";
+           }},
+          {"link to the folder",
+           [](Run& run, File name) {
+             at_output(run, name);
+             fs::create_directory_symlink("out", run / "folder");
+             return run / ("folder/" + name);
+           }},
+          {"hard link", [](Run& run, File name) {
+             fs::create_hard_link(at_output(run, name), run / "link");
+             return run / "link";
+           }}};
+}
 
 void check_kept(const Input& input, const std::string& output, const Way& way) {
   CAPTURE(input.what);
@@ -151,9 +154,9 @@ void check_kept(const Input& input, const std::string& output, const Way& way) {
 }  // namespace
 
 TEST_CASE("record_scene: no output replaces an input, whatever both are and however named") {
-  for (const Input& input : kInputs) {
+  for (const Input& input : inputs()) {
     for (const std::string& output : kOutputs) {
-      for (const Way& way : kWays) check_kept(input, output, way);
+      for (const Way& way : ways()) check_kept(input, output, way);
     }
   }
 }
