@@ -120,6 +120,7 @@ TEST_CASE("run: --memory-limit refuses before any work, and says what to change"
   check_usage(desk.call("run sgm8 scene --memory-limit lots"), "800MB, 2.5GB");
   check_usage(desk.call("run sgm8 scene --memory-limit 0GB"), "800MB, 2.5GB");
   check_usage(desk.call("run sgm8 scene --memory-limit 800"), "800MB, 2.5GB");
+  check_usage(desk.call("run sgm8 scene --memory-limit 1e308TB"), "800MB, 2.5GB");
   check_usage(desk.call("bench --pipelines sgm8 --data scene --memory-limit 5apples"),
               "800MB, 2.5GB");
   check_usage(desk.call("explain sgm8 scene 10 10 --memory-limit 150MB"), "search at most ");

@@ -91,11 +91,12 @@ double parse_bytes(const std::string& text, const std::string& option) {
   if (unit.size() > 1 && unit.back() == 'b') unit.pop_back();  // "2G" is 2GB
   const auto number = parse_number(std::string_view(text).substr(0, end));
   const auto factor = units.find(unit);
-  if (!number || *number <= 0 || factor == units.end()) {
+  const double bytes = number && factor != units.end() ? *number * factor->second : 0;
+  if (!(bytes > 0) || !std::isfinite(bytes)) {
     throw UsageError(option + " " + text +
                      ": write a number with a unit, for example 800MB, 2.5GB");
   }
-  return *number * factor->second;
+  return bytes;
 }
 
 }  // namespace xgm::cli

@@ -68,6 +68,16 @@ TEST_CASE("JSON: is read by type and name") {
   CHECK(sum == 3);
 }
 
+TEST_CASE("JSON: what is nested without end is refused, and ends no program") {
+  const auto nested = [](std::size_t depth) {
+    return std::string(depth, '[') + std::string(depth, ']');
+  };
+  CHECK(Json::parse(nested(150)).dump() == nested(150));
+  for (const std::string& text : {nested(1000), nested(1'000'000), std::string(1'000'000, '[')}) {
+    CHECK_THROWS_WITH_AS(Json::parse(text), "JSON: nested more than 200 levels deep", xgm::Error);
+  }
+}
+
 TEST_CASE("JSON: what is not there, or of another type, is an error") {
   const Json json{{"a", 1}};
   CHECK_THROWS_WITH_AS(json.at("b"), "JSON: there is no 'b'", xgm::Error);

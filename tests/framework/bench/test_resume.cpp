@@ -56,7 +56,9 @@ struct Bench {
     record.matching_seconds = 0.5;
     record.peak_memory_bytes = 1000;
     record.valid_share = 7. / 8;
-    write_file((std::filesystem::path(where) / "run.json").string(), to_json(record));
+    const bool spoils = !spoilt.empty() && scene.files.name == "one";
+    write_file((std::filesystem::path(where) / "run.json").string(),
+               spoils ? spoilt : to_json(record));
     return {};
   }
 
@@ -71,6 +73,7 @@ struct Bench {
   std::vector<std::string> runs;
   std::size_t interrupt_at = 0;
   std::string broken, silent;
+  std::string spoilt;  ///< what run.json holds of the scene "one", if not its record
 };
 
 const std::vector<std::string> kAll{"good one", "bad one", "good two", "bad two"};
@@ -187,6 +190,23 @@ TEST_CASE("a run that left no record is a failed cell, and the others go on") {
   CHECK(result.at(0, 0).state == CellState::failed);
   CHECK(contains(result.at(0, 0).failure, "run.json"));
   CHECK(result.at(1, 1).state == CellState::done);
+}
+
+TEST_CASE("a record that is none, or has figures that no run has, fails its cell by name") {
+  const std::string figures = R"({"seconds": {"matching": 1}, "peak_memory_bytes": 1, )"
+                              R"("valid_share": 1, "disparities": {"first": 0, "last": 1}, )";
+  for (const std::string& text : {std::string("{"), std::string("[]"), std::string(100'000, '['),
+                                 figures + "}", figures + R"("scene": {"width": -4, "height": 2}})",
+                                 figures + R"("scene": {"width": 1e300, "height": 1e300}})"}) {
+    CAPTURE(text.substr(0, 200));
+    Bench bench;
+    bench.spoilt = text;
+    const BenchResult result = bench.run();
+    CHECK(result.at(0, 0).state == CellState::failed);
+    CHECK_MESSAGE(contains(result.at(0, 0).failure, "one/run.json: is no record of a run ("),
+                  result.at(0, 0).failure);
+    CHECK(result.at(0, 1).state == CellState::done);
+  }
 }
 
 TEST_CASE("an interrupted bench keeps what is done, and goes on from there") {

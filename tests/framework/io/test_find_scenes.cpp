@@ -53,6 +53,17 @@ TEST_CASE("a data set may be named, written as YAML, or in a file; faults are to
                  "data set kitti finds no scene here; it looks for image_2"));
 }
 
+TEST_CASE("a description that says nothing is told by the name of its file") {
+  const Tree tree;
+  add_pair(tree, "a");
+  for (const char* text : {"\n", "# to be written\n", "---\n"}) {
+    const std::string file = tree.write("empty.yaml", text);
+    const std::string error = tree.error("a", file);
+    CHECK_MESSAGE(error.starts_with(file), error);
+    CHECK_MESSAGE(contains(error, "expected a dataset, found nothing"), error);
+  }
+}
+
 TEST_CASE("one of several scenes is named; a miss is answered with the nearest name") {
   const Tree tree;
   add_pair(tree, "Piano");

@@ -154,6 +154,14 @@ TEST_CASE("anchors and aliases mean what they repeat") {
         1);
 }
 
+TEST_CASE("what is kept to be repeated counts as often as it is kept") {
+  std::string text;
+  for (int i = 0; i < 50; ++i) text += "&a" + std::to_string(i) + " [";
+  for (int i = 0; i < 5000; ++i) text += "x, ";
+  const std::string reason = messages(text + std::string(50, ']'));
+  CHECK_MESSAGE(reason.find("more than 20000 values") != std::string::npos, reason);
+}
+
 TEST_CASE("no text whatever crashes the reader") {
   std::vector<std::string> texts{"[",
                                  "{",

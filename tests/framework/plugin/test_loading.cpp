@@ -69,6 +69,8 @@ TEST_CASE("every way in which a plugin file can be bad has a message of its own"
       {broken("wrong_tag"), "was built with another compiler, this is "},
       {broken("no_symbol"), "has no symbol 'xgm_plugin'"},
       {broken("no_handshake"), "'xgm_plugin' gives no handshake"},
+      {broken("adds_nothing"), "has a handshake that adds no stages"},
+      {broken("throws_silently"), "threw an exception without a message"},
       {broken("throws"), "no licence for this machine"},
       {broken("throws_number"), "threw something that is not an exception"},
       {broken("name_taken"), "there is already a filter called 'fake_filter' (built in)"},
@@ -89,6 +91,7 @@ TEST_CASE("every way in which a plugin file can be bad has a message of its own"
     const LoadFailure& failure = registry.failures().front();
     CHECK(failure.file == file);
     CHECK_MESSAGE(contains(failure.reason, entry.second), failure.reason);
+    CHECK_FALSE(contains(failure.reason, "\n"));
     reasons.insert(failure.reason);
   }
   CHECK(reasons.size() == expected.size());

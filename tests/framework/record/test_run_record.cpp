@@ -87,6 +87,27 @@ TEST_CASE("run.json is valid JSON whatever the names and figures are") {
   CHECK_FALSE(json["versions"]["opencv"].get<std::string>().empty());
 }
 
+TEST_CASE("recorded inputs are read as they were written; sizes that are none are not") {
+  RunRecord record;
+  record.resolved_pipeline = "{}";
+  record.inputs = {{"left", "im0.png", {(std::uint64_t{1} << 60) + 1, "00000000000000ff"}}};
+  const std::vector<InputFile> read = recorded_inputs(to_json(record));
+  REQUIRE(read.size() == 1);
+  CHECK(read[0].role == "left");
+  CHECK(read[0].file == "im0.png");
+  CHECK(read[0].identity.bytes == (std::uint64_t{1} << 60) + 1);
+  CHECK(read[0].identity.fnv1a64 == "00000000000000ff");
+  for (const std::string bytes : {"-1", "1e300", "0.5", "\"1\"", "null"}) {
+    const std::string text = R"({"scene": {"inputs": [{"role": "r", "file": "f", "fnv1a64": "0", )"
+                             R"("bytes": )" +
+                             bytes + "}]}}";
+    CHECK_MESSAGE(recorded_inputs(text).empty(), bytes);
+    const bool unknown = bytes == "null";  // of an output that is still to be written
+    const std::string outputs = R"({"outputs": [{"file": "f", "bytes": )" + bytes + "}]}";
+    CHECK_MESSAGE(recorded_outputs(outputs).empty() != unknown, bytes);
+  }
+}
+
 TEST_CASE("memory: the figures are those of a living process") {
   CHECK(peak_memory() > 1'000'000);
   CHECK(available_memory() > 1'000'000);

@@ -164,6 +164,16 @@ TEST_CASE("report: every class of every map stands in a legend") {
   }
 }
 
+TEST_CASE("report: a record whose parts are of other types is shown without them") {
+  for (const char* record :
+       {R"({"truth": "exact"})", R"({"truth": {"region": "all"}})", R"({"stages": 1})",
+        R"({"scene": []})", R"({"pipeline": {"resolved": {"a": [1, [{}]]}}})", "3", "[[]]"}) {
+    ReportScene scene = random_scene({8, 6}, 0, 4, 6);
+    scene.runs[0].record_json = record;
+    CHECK_MESSAGE(contains(report_html(report_of(scene)), "</html>"), record);
+  }
+}
+
 TEST_CASE("report: mistakes of programs are errors") {
   const auto check = [](auto spoil, const std::string& message) {
     ReportScene scene = random_scene({8, 6}, 0, 4, 6);

@@ -11,6 +11,9 @@ namespace {
 
 using Library = nlohmann::ordered_json;
 
+// Values are walked by recursion. A record holds a pipeline, which is nested 100 deep at most.
+constexpr int kDeepest = 200;
+
 template <class Held>
 const Held& require(const Held* held, const std::string& what) {
   if (held == nullptr) throw Error("JSON: the value is not " + what);
@@ -108,8 +111,14 @@ Json Json::object() {
 }
 
 Json Json::parse(std::string_view text) {
+  const auto require_depth = [](int depth, Library::parse_event_t, const Library&) {
+    if (depth > kDeepest) {
+      throw Error("JSON: nested more than " + std::to_string(kDeepest) + " levels deep");
+    }
+    return true;
+  };
   try {
-    return from_library(Library::parse(text));
+    return from_library(Library::parse(text, require_depth));
   } catch (const Library::exception& failure) {
     throw Error(failure.what());
   }

@@ -13,9 +13,6 @@ Entry* Node::find(std::string_view key) {
 
 const Entry* Node::find(std::string_view key) const { return const_cast<Node*>(this)->find(key); }
 
-namespace {
-
-// A message is one line, and moves no cursor.
 std::string without_controls(std::string text) {
   constexpr unsigned char kFirstPrintable = 32, kDelete = 127;
   const auto is_control = [](char c) {
@@ -25,8 +22,6 @@ std::string without_controls(std::string text) {
   std::replace_if(text.begin(), text.end(), is_control, ' ');
   return text;
 }
-
-}  // namespace
 
 std::string quote(std::string_view text) {
   constexpr std::size_t kLongest = 40;

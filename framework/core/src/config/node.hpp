@@ -41,6 +41,8 @@ struct Entry {
 
 /// How a node is called in messages: 'five', a list, a map, nothing.
 std::string spell(const Node& node);
+/// The text in one line that moves no cursor: control characters are blanks.
+std::string without_controls(std::string text);
 /// 'text', cut and cleaned for a one-line message.
 std::string quote(std::string_view text);
 

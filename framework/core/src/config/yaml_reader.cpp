@@ -57,7 +57,7 @@ class Builder final : public YAML::EventHandler {
       throw Fault{mark, "this alias stands inside the very part that it repeats",
                   "write that part out"};
     }
-    nodes_ += count(known->second);
+    spend(count(known->second), mark);
     add(known->second, mark, 0);
   }
   void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
@@ -120,12 +120,22 @@ class Builder final : public YAML::EventHandler {
     add(std::move(done.node), done.begin, done.anchor);
   }
 
-  // Puts a finished node where it belongs: into the innermost open list or map, or as the result.
-  void add(Node node, const YAML::Mark& mark, YAML::anchor_t anchor) {
-    if (++nodes_ > kMaxNodes) {
+  // What is kept to be repeated, and what repeats it, counts as well: it takes memory like the
+  // rest.
+  void spend(std::size_t nodes, const YAML::Mark& mark) {
+    nodes_ += nodes;
+    if (nodes_ > kMaxNodes) {
       throw Fault{mark, "more than 20000 values", "is this a pipeline file?"};
     }
-    if (anchor != 0) anchors_[anchor] = node;
+  }
+
+  // Puts a finished node where it belongs: into the innermost open list or map, or as the result.
+  void add(Node node, const YAML::Mark& mark, YAML::anchor_t anchor) {
+    spend(1, mark);
+    if (anchor != 0) {
+      spend(count(node), mark);
+      anchors_[anchor] = node;
+    }
     if (open_.empty()) {
       result_ = std::move(node);
       return;
@@ -188,7 +198,11 @@ std::optional<Node> parse(const std::string& text, const std::string& name) {
   std::istringstream stream(with_line_ends(text));
   YAML::Parser parser(stream);
   Builder builder(name);
-  if (!parser.HandleNextDocument(builder)) return Node{};
+  if (!parser.HandleNextDocument(builder)) {
+    Node nothing;
+    nothing.where = {name};
+    return nothing;
+  }
   std::optional<Node> document = builder.result();
   Builder rest(name);
   if (parser.HandleNextDocument(rest)) {

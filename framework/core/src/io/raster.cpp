@@ -4,6 +4,7 @@
 #include <cmath>
 #include <opencv2/imgcodecs.hpp>
 
+#include "io/possible_size.hpp"
 #include "io/tiff.hpp"
 #include "io/whole_file.hpp"
 #include "xgm/base/error.hpp"
@@ -38,13 +39,13 @@ StoredImage decode(const std::string& file) {
 }
 
 StoredImage read_stored(const std::string& file) {
-  constexpr std::size_t kLongestMagic = 4;
-  const std::string head = read_head(file, kLongestMagic);
+  const std::string head = read_head(file, kSizeHeader);
   if (head.starts_with("Pf") || head.starts_with("PF")) {
     const std::vector<cv::Mat1f> planes = read_pfm_planes(file);
     return {.channels = {planes.begin(), planes.end()}};
   }
   if (!is_tiff(head)) {
+    require_possible_header(file, head);
     require_whole(file, head);
     return decode(file);
   }

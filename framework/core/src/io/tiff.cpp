@@ -29,7 +29,6 @@ TiffLayout layout_of(const TiffFile& tiff) {
   TiffLayout layout;
   layout.width = tiff.field(TIFFTAG_IMAGEWIDTH, std::uint32_t{0});
   layout.height = tiff.field(TIFFTAG_IMAGELENGTH, std::uint32_t{0});
-  tiff.require_possible(layout.width, layout.height);
   layout.samples = tiff.field(TIFFTAG_SAMPLESPERPIXEL, std::uint16_t{1});
   layout.is_tiled = TIFFIsTiled(tiff.handle()) != 0;
   layout.bands_lie_apart =
@@ -39,6 +38,9 @@ TiffLayout layout_of(const TiffFile& tiff) {
     layout.depth = depth_of(tiff.field(TIFFTAG_SAMPLEFORMAT, std::uint16_t{SAMPLEFORMAT_UINT}),
                             tiff.field(TIFFTAG_BITSPERSAMPLE, std::uint16_t{1}));
   }
+  const std::size_t sample_bytes = layout.depth < 0 ? 1 : CV_ELEM_SIZE1(layout.depth);
+  tiff.require_possible(layout.width, layout.height,
+                        sample_bytes * static_cast<std::size_t>(layout.samples));
   return layout;
 }
 

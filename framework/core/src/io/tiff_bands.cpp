@@ -18,9 +18,9 @@ class BandReader {
       width_ = layout.width;
       rows_ = std::min(tiff.field(TIFFTAG_ROWSPERSTRIP, layout.height), layout.height);
     }
-    tiff.require_possible(width_, rows_);
     together_ = layout.bands_lie_apart ? 1 : layout.samples;
     pixel_bytes_ = CV_ELEM_SIZE1(layout.depth) * static_cast<std::size_t>(together_);
+    tiff.require_possible(width_, rows_, pixel_bytes_);
     buffer_ =
         std::make_unique_for_overwrite<unsigned char[]>(std::size_t{width_} * rows_ * pixel_bytes_);
   }

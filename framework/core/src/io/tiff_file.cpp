@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "io/possible_size.hpp"
 #include "xgm/base/error.hpp"
 
 namespace xgm {
@@ -39,11 +40,14 @@ void TiffFile::fail(const std::string& what) const {
   throw Error(name_ + ": " + what + why + "; give a complete file");
 }
 
-void TiffFile::require_possible(std::uint32_t width, std::uint32_t height) const {
+void TiffFile::require_possible(std::uint32_t width, std::uint32_t height,
+                                std::size_t pixel_bytes) const {
   constexpr std::uint32_t kMaxSide = 1 << 20;
   constexpr std::uint64_t kMaxPixels = std::uint64_t{1} << 30;  // OpenCV's limit, too
   const std::uint64_t pixels = std::uint64_t{width} * height;
-  if (pixels > 0 && pixels <= kMaxPixels && width <= kMaxSide && height <= kMaxSide) return;
+  if (pixels > 0 && pixels <= kMaxPixels && width <= kMaxSide && height <= kMaxSide) {
+    return require_possible_size(name_, pixels * pixel_bytes);
+  }
   fail("has a broken header: " + std::to_string(width) + " x " + std::to_string(height) +
        " pixels");
 }

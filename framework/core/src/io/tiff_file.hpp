@@ -30,8 +30,8 @@ class TiffFile {
 
   /// Throws Error with what libtiff said last.
   [[noreturn]] void fail(const std::string& what) const;
-  /// Throws Error if an image or a tile cannot have this size.
-  void require_possible(std::uint32_t width, std::uint32_t height) const;
+  /// Throws Error if an image or a tile cannot have this size and so many bytes in a pixel.
+  void require_possible(std::uint32_t width, std::uint32_t height, std::size_t pixel_bytes) const;
 
  private:
   std::string name_;

@@ -8,6 +8,7 @@
 // After jpeglib.h, which it needs.
 #include <jerror.h>
 
+#include "io/possible_size.hpp"
 #include "io/whole_file.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/io/file.hpp"
@@ -49,8 +50,15 @@ void look_for_fault(const std::string& bytes, Fault& fault) {
     jpeg_create_decompress(&jpeg);
     jpeg_mem_src(&jpeg, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
     jpeg_read_header(&jpeg, TRUE);
-    jpeg_read_coefficients(&jpeg);
-    jpeg_finish_decompress(&jpeg);
+    const std::uint64_t coefficients = std::uint64_t{jpeg.image_width} * jpeg.image_height *
+                                       static_cast<std::uint64_t>(jpeg.num_components);
+    if (is_possible_size(bytes.size(), coefficients * sizeof(JCOEF))) {
+      jpeg_read_coefficients(&jpeg);
+      jpeg_finish_decompress(&jpeg);
+    } else {
+      std::snprintf(fault.text, sizeof fault.text, "it states %u x %u pixels", jpeg.image_width,
+                    jpeg.image_height);
+    }
   }
   jpeg_destroy_decompress(&jpeg);
 }

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "config/node.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/plugin/handshake.hpp"
 
@@ -34,6 +35,8 @@ std::optional<std::string> objection(const xgm_plugin_handshake& handshake) {
     return "was built with " + std::string(handshake.build_tag) + ", this is " + XGM_BUILD_TAG +
            "; build it again with the same compiler and libraries";
   }
+  if (handshake.add == nullptr)
+    return "has a handshake that adds no stages; use XGM_PLUGIN(registry) {...}";
   return std::nullopt;
 }
 
@@ -63,9 +66,15 @@ const xgm_plugin_handshake& open(const std::string& file) {
 bool Registry::load(const std::string& file) {
   LoadFailure failure{file, name_from(file), {}, {}};
   Registry loaded;
+  const auto refuse = [&](const std::string& reason) {
+    failure.reason = without_controls(reason);
+    for (const auto& [key, info] : loaded.plugins_) failure.provides.insert(info.name);
+    failures_.push_back(std::move(failure));
+    return false;
+  };
   try {
     const xgm_plugin_handshake& handshake = open(file);
-    failure.name = handshake.name;
+    failure.name = without_controls(handshake.name);
     if (const auto reason = objection(handshake)) throw Error(*reason);
     loaded.kinds_ = kinds_;
     handshake.add(&loaded);
@@ -73,14 +82,11 @@ bool Registry::load(const std::string& file) {
       if (find(info.kind, info.name) != nullptr) Registry(*this).add(info);  // throws: name taken
     }
   } catch (const std::exception& error) {
-    failure.reason = error.what();
+    const std::string reason = error.what();
+    return refuse(reason.empty() ? "threw an exception without a message while it was registering"
+                                 : reason);
   } catch (...) {
-    failure.reason = "threw something that is not an exception while it was registering";
-  }
-  if (!failure.reason.empty()) {
-    for (const auto& [key, info] : loaded.plugins_) failure.provides.insert(info.name);
-    failures_.push_back(std::move(failure));
-    return false;
+    return refuse("threw something that is not an exception while it was registering");
   }
   kinds_ = std::move(loaded.kinds_);
   for (auto& [key, info] : loaded.plugins_) {

@@ -14,8 +14,8 @@ namespace xgm {
 namespace fs = std::filesystem;
 namespace {
 
-BenchCell read_record(const std::string& folder) {
-  const auto json = Json::parse(read_file((fs::path(folder) / "run.json").string()));
+/// The figures of a record. Throws Error if one is missing, or is none of a run.
+BenchCell to_cell(const Json& json) {
   BenchCell cell;
   cell.state = CellState::done;
   cell.seconds = json.at("seconds").at("matching").number();
@@ -26,7 +26,20 @@ BenchCell read_record(const std::string& folder) {
   const double first = json.at("disparities").at("first").number();
   const double last = json.at("disparities").at("last").number();
   cell.evaluations = width * height * (last - first + 1);
+  for (const double figure : {cell.seconds, cell.peak_bytes, cell.density, cell.evaluations}) {
+    if (!std::isfinite(figure) || figure < 0) throw Error("one of its figures is below 0");
+  }
   return cell;
+}
+
+BenchCell read_record(const std::string& folder) {
+  const std::string file = (fs::path(folder) / "run.json").string();
+  const std::string text = read_file(file);
+  try {
+    return to_cell(Json::parse(text));
+  } catch (const Error& error) {
+    throw Error(file + ": is no record of a run (" + error.what() + "); remove it and run again");
+  }
 }
 
 }  // namespace

@@ -13,6 +13,13 @@ bool stays_in_folder(const std::filesystem::path& file) {
   return plain.has_filename() && plain.is_relative() && plain != "." && *plain.begin() != "..";
 }
 
+/// A number of bytes; any other number would not survive the conversion.
+std::uint64_t to_bytes(const Json& json) {
+  const auto* const bytes = std::get_if<std::uint64_t>(&json.plain());
+  if (bytes == nullptr) throw Error("JSON: the value is no whole number from 0 on");
+  return *bytes;
+}
+
 }  // namespace
 
 Json to_json(const std::vector<InputFile>& inputs) {
@@ -41,7 +48,7 @@ std::vector<InputFile> recorded_inputs(const std::string& run_json) {
     for (const Json& input : record.at("scene").at("inputs")) {
       inputs.push_back({input.at("role").text(),
                         input.at("file").text(),
-                        {.bytes = static_cast<std::uintmax_t>(input.at("bytes").number()),
+                        {.bytes = to_bytes(input.at("bytes")),
                          .fnv1a64 = input.at("fnv1a64").text()}});
     }
   } catch (const Error&) {
@@ -60,7 +67,7 @@ std::vector<OutputFile> recorded_outputs(const std::string& run_json) {
       if (!stays_in_folder(output.at("file").text())) continue;
       OutputFile& added = outputs.emplace_back(OutputFile{output.at("file").text(), {}});
       const Json& bytes = output.at("bytes");
-      if (!bytes.is_null()) added.bytes = static_cast<std::uint64_t>(bytes.number());
+      if (!bytes.is_null()) added.bytes = to_bytes(bytes);
     }
   } catch (const Error&) {
     return {};

@@ -39,7 +39,7 @@ const Json& ranking_region(const Json& record) {
   for (const Json& region : regions) {
     if (text_at(region, "/region") == "non-occluded") return region;
   }
-  return regions.empty() ? kNothing : regions.elements().front();
+  return regions.is_array() && !regions.empty() ? regions.elements().front() : kNothing;
 }
 
 std::string command_line(const Json& record) {

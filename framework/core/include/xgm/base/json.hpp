@@ -50,7 +50,7 @@ class XGM_API Json {
 
   static Json array();
   static Json object();
-  /// Throws Error if the text is no JSON.
+  /// Throws Error if the text is no JSON, or is nested deeper than any record.
   static Json parse(std::string_view text);
   /// In one line, or with so many blanks before what is one level further in. JSON is UTF-8, file
   /// names may be anything: bytes of text that are no UTF-8 become U+FFFD. Numbers that are not
