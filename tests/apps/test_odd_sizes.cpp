@@ -39,7 +39,7 @@ void check_written(const Desk& desk, cv::Size size, const Outcome& outcome) {
   CHECK_FALSE(contains(outcome.errors, "OpenCV("));
   CHECK(read_pfm(desk / "out/disparity.pfm").size() == size);
   for (const char* name : {"out/disparity.png", "out/status.png"}) {
-    CHECK(read_mask(desk / name).cols <= Sampling::kMaxSide);
+    CHECK(read_mask(desk / name, MaskUse::usable).value.cols <= Sampling::kMaxSide);
   }
   CHECK(std::filesystem::exists(desk / "out/report.html"));
 }
