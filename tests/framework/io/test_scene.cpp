@@ -42,7 +42,7 @@ TEST_CASE("a scene folder: images, [0, ndisp) of calib.txt, and what was read") 
   CHECK(scene.inputs[0].identity.fnv1a64 != scene.inputs[1].identity.fnv1a64);
 }
 
-TEST_CASE("calib.txt may be missing or without ndisp, but a faulty ndisp is located") {
+TEST_CASE("calib.txt may be missing or without ndisp, but a faulty ndisp is located and not used") {
   const TemporaryFolder folder;
   write_pair(folder);
   CHECK_FALSE(find_scene(folder.path(), builtins()).disparities.has_value());
@@ -51,7 +51,9 @@ TEST_CASE("calib.txt may be missing or without ndisp, but a faulty ndisp is loca
   for (const char* value : {"", "0", "-4", "12px", "99999999999", "1e9", "nan", "inf"}) {
     CAPTURE(value);
     folder.write("calib.txt", std::string("width=6\nndisp=") + value + "\n");
-    CHECK(contains(error_of([&] { find_scene(folder.path(), builtins()); }), "calib.txt:2: ndisp"));
+    const SceneFiles scene = find_scene(folder.path(), builtins());
+    CHECK_FALSE(scene.disparities);
+    CHECK(contains(fault_of(scene, scene.calibration_file), "calib.txt:2: ndisp"));
   }
 }
 

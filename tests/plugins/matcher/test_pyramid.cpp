@@ -170,7 +170,8 @@ TEST_CASE("finer levels search what the search_range stage says, within the limi
   CHECK(run("{type: fake, begin: 3, end: 6}", {0, 20}) == Interval{3, 6});
   CHECK(run("{type: fake, begin: -3, end: 6}", {0, 20}) == Interval{0, 6});
   CHECK(run("{type: fake, begin: 30, end: 36}", {0, 20}) == Interval{0, 20});  // do not meet
-  CHECK(run("{type: fake, begin: 6, end: 6}", {0, 20}).empty());
+  CHECK_THROWS_WITH_AS(run("{type: fake, begin: 6, end: 6}", {0, 20}),
+                       doctest::Contains("nothing to search"), Error);
   CHECK(run("{type: fake, begin: 3, end: 6}", {4, 4}).empty());
   // The fake answers 4 / 2 = 2 at the coarse level, so Eq. 7 asks for 4 - 4 to 4 + 4.
   CHECK(run("min_max", {4, 20}) == Interval{4, 9});
@@ -219,9 +220,9 @@ TEST_CASE("images smaller than the scale and ranges wider than the image work") 
   }
 }
 
-TEST_CASE("pyramid refuses scales that are no power of two and matchers without range maps") {
+TEST_CASE("pyramid refuses scales that are no powers of two and matchers without range maps") {
   CHECK_THROWS_WITH_AS(matcher_with_fakes("{type: pyramid, scale: 6, matcher: fake}"),
-                       doctest::Contains("power of two"), Error);
+                       doctest::Contains("give one of 1, 2, 4, 8"), Error);
   CHECK_THROWS_WITH_AS(
       matcher_with_fakes("{type: pyramid, matcher: {type: fake, range_maps: false}}"),
       doctest::Contains("needs one range for the whole image"), Error);

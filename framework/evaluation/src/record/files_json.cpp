@@ -46,10 +46,10 @@ std::vector<InputFile> recorded_inputs(const std::string& run_json) {
   try {
     const Json record = Json::parse(run_json);
     for (const Json& input : record.at("scene").at("inputs")) {
-      inputs.push_back({input.at("role").text(),
-                        input.at("file").text(),
-                        {.bytes = to_bytes(input.at("bytes")),
-                         .fnv1a64 = input.at("fnv1a64").text()}});
+      inputs.push_back(
+          {input.at("role").text(),
+           input.at("file").text(),
+           {.bytes = to_bytes(input.at("bytes")), .fnv1a64 = input.at("fnv1a64").text()}});
     }
   } catch (const Error&) {
     return {};
