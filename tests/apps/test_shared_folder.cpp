@@ -122,13 +122,16 @@ TEST_CASE("a run that is ended at any moment leaves no part of a file, and the n
     const int signal = std::vector<int>{SIGINT, SIGTERM, SIGKILL}[static_cast<std::size_t>(i) % 3];
     CAPTURE(i);
     CAPTURE(signal);
+    const std::string unfinished = runs / "out/unfinished.json";
+    const bool was_unfinished = fs::exists(unfinished);
     const pid_t child = begin(runs, windows[static_cast<std::size_t>(i) % windows.size()]);
     std::this_thread::sleep_for(runs.duration * random.real(0, 1));
     ::kill(child, signal);
     const int code = end_of(child);
     CHECK((code == 0 || code == 128 + signal));
     if (fs::exists(runs / "out")) runs.check_unmixed();
-    if (signal != SIGKILL) CHECK_FALSE(fs::exists(runs / "out/unfinished.json"));
+    // One that a killed run has left stays until a run begins to write.
+    if (signal != SIGKILL && !was_unfinished) CHECK_FALSE(fs::exists(unfinished));
   }
   CHECK(runs.call(Runs::arguments(3, "out")).exit_code == 0);
   CHECK(fs::exists(runs / "out/run.json"));
