@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// Values on a grid on the ground: DEMs, DSMs and their layers.
+#pragma once
+
+#include <map>
+#include <opencv2/core.hpp>
+#include <string>
+
+#include "xgm/geo/ground/crs.hpp"
+
+namespace xgm::geo {
+
+/// Where the cells of a grid lie, north up. A cell's value stands at its centre.
+struct GridPlace {
+  double left = 0;     ///< x of the left edge of the first column, in units of the CRS
+  double top = 0;      ///< y of the upper edge of the first row
+  double step_x = 1;   ///< to the next column
+  double step_y = -1;  ///< to the next row; negative: to the south
+
+  cv::Point2d centre(int column, int row) const {
+    return {left + (column + 0.5) * step_x, top + (row + 0.5) * step_y};
+  }
+  /// Column and row of a place; whole at the centres of cells.
+  cv::Point2d cell(cv::Point2d place) const {
+    return {(place.x - left) / step_x - 0.5, (place.y - top) / step_y - 0.5};
+  }
+};
+
+struct Raster {
+  cv::Mat1f values;  ///< NaN where there is none
+  GridPlace place;
+  Crs crs;                                      ///< empty: no georeference
+  std::map<std::string, std::string> metadata;  ///< of the file: "vertical_datum", ...
+};
+
+/// Any format of GDAL; the nodata value of the file becomes NaN. Throws Error, which names the
+/// file: unreadable, no such band, rotated.
+XGM_API Raster read_raster(const std::string& file, int band = 1);
+/// Cloud-optimised GeoTIFF of 32-bit floats with overviews, NaN as nodata. Complete or not there.
+XGM_API void write_raster(const std::string& file, const Raster& raster);
+
+}  // namespace xgm::geo
