@@ -2,12 +2,11 @@
 #include "xgm/pipeline/pipeline.hpp"
 
 #include <algorithm>
-#include <array>
-#include <fstream>
 #include <string>
 
 #include "base/run_state.hpp"
 #include "pipeline/graph.hpp"
+#include "pipeline/named_parts.hpp"
 #include "pipeline/overrides.hpp"
 #include "plugin/binder.hpp"
 #include "stage/misbehaviour.hpp"
@@ -103,6 +102,7 @@ struct PipelineLoader {
   static LoadedPipeline load(Node root, const std::string& name, const Registry& registry,
                              const std::vector<Override>& overrides, Diagnostics diagnostics) {
     LoadedPipeline result;
+    if (root.is_map()) read_named_parts(root, registry, diagnostics);
     for (const Override& change : overrides) apply_override(root, change, diagnostics);
     if (!root.is_map()) {
       add_diagnostic(diagnostics, {name},
@@ -141,20 +141,10 @@ LoadedPipeline load_pipeline_text(const std::string& text, const std::string& na
 
 LoadedPipeline load_pipeline(const std::string& file, const Registry& registry,
                              const std::vector<Override>& overrides) {
-  std::ifstream stream(file, std::ios::binary);
-  std::string text;
-  std::array<char, 1 << 16> piece;
-  while (stream && text.size() <= kMaxYamlBytes) {  // what is named by mistake may have no end
-    stream.read(piece.data(), piece.size());
-    text.append(piece.data(), static_cast<std::size_t>(stream.gcount()));
-  }
-  if (!stream.is_open() || stream.bad()) {
-    LoadedPipeline unread;
-    add_diagnostic(unread.diagnostics, {file}, "cannot be read",
-                   "check the path and the permissions");
-    return unread;
-  }
-  return load_pipeline_text(text, file, registry, overrides);
+  Diagnostics diagnostics;
+  const auto text = read_pipeline_text(file, diagnostics);
+  if (!text) return {std::nullopt, diagnostics};
+  return load_pipeline_text(*text, file, registry, overrides);
 }
 
 std::shared_ptr<const Stage> make_stage(std::string_view kind, const std::string& yaml,

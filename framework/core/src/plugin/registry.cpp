@@ -25,7 +25,7 @@ std::function<std::unique_ptr<Prototype>()> guarded(const PluginInfo& info) {
 }  // namespace
 
 namespace builtin {
-void add_all(Registry& registry);  // generated
+void add_core(Registry& registry);  // generated
 }
 
 Prototype::~Prototype() = default;
@@ -34,7 +34,7 @@ Registry::Registry() { add_core_kinds(*this); }
 
 Registry Registry::with_builtins() {
   Registry registry;
-  builtin::add_all(registry);
+  builtin::add_core(registry);
   return registry;
 }
 

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// A satellite image: pixels in a file, the camera that took them, and what is known of the moment.
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <optional>
+#include <string>
+
+#include "xgm/geo/camera/rpc_camera.hpp"
+
+namespace xgm::geo {
+
+/// What the vendor's metadata say; empty: unknown.
+struct Acquisition {
+  std::optional<double> time;           ///< s since 1970, UTC
+  std::optional<double> sun_azimuth;    ///< degrees, north is 0, east 90
+  std::optional<double> sun_elevation;  ///< degrees
+  std::optional<double> cloud_cover;    ///< share, 0 to 1
+};
+
+struct SatelliteImage {
+  std::string name;  ///< unique among the images of a run
+  std::string file;  ///< any raster that GDAL reads, in the camera's pixels
+  int band = 0;      ///< from 1 on; 0: the mean of all bands
+  std::string mask;  ///< file of the same size, nonzero where the image may be used; may be empty
+  cv::Size size;     ///< px
+  RpcCamera camera;
+  Acquisition acquisition;
+};
+
+/// Opens the image, for its size and its camera; `camera_file` is a file of read_rpc() in place of
+/// what the image itself holds. The camera is moved to the pixels of a crop that says where it lies
+/// in the vendor's image (an origin without a CRS). Throws Error, which names the file and the
+/// remedy.
+XGM_API SatelliteImage open_image(const std::string& file, const std::string& camera_file = {});
+
+/// Grey levels of a window; NaN outside of the image, where it has no data and where its mask is 0.
+XGM_API cv::Mat1f read_window(const SatelliteImage& image, cv::Rect window);
+
+}  // namespace xgm::geo

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Kind "range_prior": which heights the ground can have at all, and so which disparities.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "xgm/geo/image/rectified_pair.hpp"
+#include "xgm/plugin.hpp"
+
+namespace xgm::geo {
+
+class XGM_API RangePrior : public Stage {
+ public:
+  static constexpr std::string_view kKind = "range_prior";
+  static constexpr std::string_view kMeaning =
+      "bounds the disparities of a satellite pair before it is matched";
+
+  /// Lowest and highest ground in a window of the base image, for which the pair is then rectified.
+  /// `dem` may be null.
+  virtual HeightInterval heights(const SatelliteImage& base, const SatelliteImage& match,
+                                 const cv::Rect& window, const HeightField* dem,
+                                 const Context& context) const = 0;
+
+  /// The range of every pixel of the rectified base image. An empty interval: nothing is searched
+  /// there. As it stands here: what ground between pair.heights has anywhere in the image.
+  virtual DisparityRange run(const RectifiedPair& pair, const HeightField* const& dem,
+                             const Context& context) const;
+};
+
+/// Disparities of the points of a pixel between two heights, whole numbers outwards; empty if the
+/// base camera finds no such point.
+XGM_API std::optional<Interval> disparities_between(const RectifiedPair& pair,
+                                                    cv::Point2d rectified,
+                                                    const HeightInterval& heights);
+
+/// Heights that both cameras were made for.
+XGM_API HeightInterval common_heights(const RpcCamera& a, const RpcCamera& b);
+
+/// Lowest and highest place of a DEM in a window of an image. Throws Error if it covers none of it.
+XGM_API HeightInterval dem_heights(const SatelliteImage& image, const cv::Rect& window,
+                                   const HeightField& dem);
+
+}  // namespace xgm::geo

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "xgm/geo/image/satellite_image.hpp"
+
+#include <gdal_priv.h>
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "ground/gdal.hpp"
+#include "xgm/base/error.hpp"
+#include "xgm/geo/camera/read_rpc.hpp"
+
+namespace xgm::geo {
+namespace {
+
+constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+
+/// Where the first pixel lies in the vendor's image, for crops that say it: by an origin without a
+/// CRS, in whole pixels.
+cv::Point2d origin_of_crop(GDALDataset& dataset, const std::string& file) {
+  const char* const crs = dataset.GetProjectionRef();
+  double t[6];
+  if ((crs != nullptr && *crs != '\0') || dataset.GetGeoTransform(t) != CE_None) return {0, 0};
+  const bool whole = t[1] == 1 && t[5] == 1 && t[2] == 0 && t[4] == 0;
+  if (whole) return {t[0], t[3]};
+  throw Error(file +
+              ": its origin says that it is a crop, but its pixels are not those of the "
+              "camera (" +
+              std::to_string(t[1]) + " x " + std::to_string(t[5]) +
+              "); use the image as the vendor delivers it");
+}
+
+/// One band of a window, NaN where it has no data.
+cv::Mat1f read_band(GDALRasterBand& band, const cv::Rect& window, const std::string& file) {
+  cv::Mat1f values(window.size());
+  if (band.RasterIO(GF_Read, window.x, window.y, window.width, window.height, values.data,
+                    window.width, window.height, GDT_Float32, 0, 0) != CE_None) {
+    throw Error(file + ": cannot be read: " + QuietGdal::message());
+  }
+  int has_nodata = 0;
+  const auto nodata = static_cast<float>(band.GetNoDataValue(&has_nodata));
+  if (has_nodata != 0) values.setTo(kNone, values == nodata);
+  return values;
+}
+
+cv::Mat1f read_grey(GDALDataset& dataset, int band, const cv::Rect& window,
+                    const std::string& file) {
+  if (band > 0) return read_band(*dataset.GetRasterBand(band), window, file);
+  cv::Mat1f sum = read_band(*dataset.GetRasterBand(1), window, file);
+  for (int i = 2; i <= dataset.GetRasterCount(); ++i) {
+    sum += read_band(*dataset.GetRasterBand(i), window, file);
+  }
+  sum /= dataset.GetRasterCount();
+  return sum;
+}
+
+void apply_mask(const SatelliteImage& image, const cv::Rect& window, cv::Mat1f& grey) {
+  if (image.mask.empty()) return;
+  const DatasetPtr mask = open_raster(image.mask);
+  if (mask->GetRasterXSize() != image.size.width || mask->GetRasterYSize() != image.size.height) {
+    throw Error(image.mask + ": the mask is not of the size of " + image.file);
+  }
+  const cv::Mat1f used = read_band(*mask->GetRasterBand(1), window, image.mask);
+  grey.setTo(kNone, used == 0);
+}
+
+}  // namespace
+
+SatelliteImage open_image(const std::string& file, const std::string& camera_file) {
+  const DatasetPtr dataset = open_raster(file);
+  const std::vector<RpcModel> models =
+      camera_file.empty() ? read_rpc_of_image(file) : read_rpc(camera_file);
+  if (models.empty()) {
+    throw Error(file +
+                ": holds no RPC camera; put the vendor's file (_RPC.TXT, .RPB, RPC_*.XML) "
+                "beside it, or name it");
+  }
+  // What the image itself holds is of its own pixels; a file of its own is of the vendor's image.
+  const cv::Point2d origin =
+      camera_file.empty() ? cv::Point2d(0, 0) : origin_of_crop(*dataset, file);
+  return {.name = std::filesystem::path(file).stem().string(),
+          .file = file,
+          .band = dataset->GetRasterCount() == 1 ? 1 : 0,
+          .mask = {},
+          .size = {dataset->GetRasterXSize(), dataset->GetRasterYSize()},
+          .camera = RpcCamera(models.front()).cropped(origin),
+          .acquisition = {}};
+}
+
+cv::Mat1f read_window(const SatelliteImage& image, cv::Rect window) {
+  const QuietGdal quiet;
+  cv::Mat1f grey(window.size(), kNone);
+  const cv::Rect inside = window & cv::Rect({}, image.size);
+  if (inside.empty()) return grey;
+  const DatasetPtr dataset = open_raster(image.file);
+  cv::Mat1f part = read_grey(*dataset, image.band, inside, image.file);
+  apply_mask(image, inside, part);
+  part.copyTo(grey(inside - window.tl()));
+  return grey;
+}
+
+}  // namespace xgm::geo

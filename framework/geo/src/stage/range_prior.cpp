@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "xgm/geo/stage/range_prior.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace xgm::geo {
+
+std::optional<Interval> disparities_between(const RectifiedPair& pair, cv::Point2d rectified,
+                                            const HeightInterval& heights) {
+  const cv::Point2d pixel = pair.geometry->to_base(rectified);
+  const auto low = pair.base.camera.localize(pixel, heights.min);
+  const auto high = pair.base.camera.localize(pixel, heights.max);
+  if (!low || !high) return std::nullopt;
+  const double a = pair.see(*low)[2], b = pair.see(*high)[2];
+  if (!std::isfinite(a) || !std::isfinite(b)) return std::nullopt;
+  return Interval{static_cast<int>(std::floor(std::min(a, b))),
+                  static_cast<int>(std::ceil(std::max(a, b))) + 1};
+}
+
+DisparityRange RangePrior::run(const RectifiedPair& pair, const HeightField* const&,
+                               const Context&) const {
+  constexpr int kSteps = 8;  // per direction; in between the range is all but linear
+  const cv::Size size = pair.geometry->size();
+  Interval hull;
+  for (int k = 0; k < (kSteps + 1) * (kSteps + 1); ++k) {
+    const cv::Point2d place((size.width - 1.0) * (k % (kSteps + 1)) / kSteps,
+                            (size.height - 1.0) * (k / (kSteps + 1)) / kSteps);
+    if (const auto range = disparities_between(pair, place, pair.heights)) {
+      hull = unite(hull, *range);
+    }
+  }
+  if (hull.empty()) throw Error(pair.base.file + ": its camera reaches no ground in this window");
+  return DisparityRange::uniform(size, hull);
+}
+
+HeightInterval common_heights(const RpcCamera& a, const RpcCamera& b) {
+  return {std::max(a.heights().min, b.heights().min), std::min(a.heights().max, b.heights().max)};
+}
+
+HeightInterval dem_heights(const SatelliteImage& image, const cv::Rect& window,
+                           const HeightField& dem) {
+  // In pixels: finer than the postings of global DEMs.
+  const int step = std::max(16, std::max(window.width, window.height) / 256);
+  HeightInterval heights{INFINITY, -INFINITY};
+  for (int y = window.y; y < window.br().y + step - 1; y += step) {
+    for (int x = window.x; x < window.br().x + step - 1; x += step) {
+      const cv::Point2d pixel(std::min(x, window.br().x - 1), std::min(y, window.br().y - 1));
+      const auto point = image.camera.localize(pixel, dem);
+      if (!point) continue;
+      heights = {std::min(heights.min, point->height), std::max(heights.max, point->height)};
+    }
+  }
+  if (heights.min > heights.max)
+    throw Error("the DEM does not cover what " + image.file + " shows");
+  return heights;
+}
+
+}  // namespace xgm::geo

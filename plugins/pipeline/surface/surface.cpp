@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+// The top of a file with `type: surface`: from satellite images to heights on a grid.
+#include <algorithm>
+#include <memory>
+
+#include "plugins/pipeline/surface/cloud.hpp"
+#include "plugins/pipeline/surface/grid.hpp"
+#include "xgm/geo/image/resample.hpp"
+#include "xgm/geo/stage/pointing.hpp"
+#include "xgm/geo/stage/range_prior.hpp"
+#include "xgm/geo/stage/rectification.hpp"
+#include "xgm/geo/stage/surface_family.hpp"
+#include "xgm/geo/stage/triangulation.hpp"
+
+namespace {
+
+using namespace xgm;
+using namespace xgm::geo;
+
+class SurfacePipeline final : public SurfaceFamily {
+ public:
+  struct Parameters {
+    Slot<Pairs> pairs;
+    Slot<Pointing> pointing;
+    Slot<Rectifier> rectification;
+    Slot<RangePrior> range_prior;
+    Slot<StereoFamily> matching;
+    Slot<Triangulation> triangulation;
+    Slot<Surface> surface;
+    Slot<Fusion> fusion;
+    double resolution = 0;
+    int tile = 2000;
+  };
+
+  static void describe(Parameters& p, ParameterSet& set) {
+    set.add("pairs", p.pairs, "Which images are matched.").default_stage("all");
+    set.add("pointing", p.pointing, "Corrects the cameras.").default_stage("keypoints");
+    set.add("rectification", p.rectification, "Brings corresponding points into one row.")
+        .default_stage("affine");
+    set.add("range_prior", p.range_prior, "Bounds the search.").default_stage("auto");
+    set.add("matching", p.matching, "The stereo pipeline that finds disparities.");
+    set.add("triangulation", p.triangulation, "Makes points of disparities.").default_stage("rays");
+    set.add("surface", p.surface, "Makes a grid of points.").default_stage("median");
+    set.add("fusion", p.fusion, "Makes one surface of those of the pairs.").default_stage("median");
+    set.add("resolution", p.resolution,
+            "Size of a cell of the surface; 0: that of a pixel of the first image on the ground.")
+        .unit("m")
+        .range(0, 1000);
+    set.add("tile", p.tile, "Largest side of the windows that are rectified and matched at a time.")
+        .unit("px")
+        .range(100, 20000);
+  }
+
+  explicit SurfacePipeline(Parameters parameters) : p_(std::move(parameters)) {}
+
+  SurfaceResult run(const SurfaceRequest& request, const Context& context) const override {
+    if (request.images.size() < 2) throw UsageError("give at least two satellite images");
+    SurfaceResult result;
+    result.pairs = p_.pairs(context.part(0, 0.01), request.images);
+    if (result.pairs.empty()) throw Error("no pair of the images is fit for matching");
+    const HeightInterval heights =
+        common_heights(request.images.front().camera, request.images.back().camera);
+    result.images = p_.pointing(context.part(0.01, 0.15), request.images, result.pairs,
+                                GroundKnowledge{request.dem.get(), heights});
+    std::vector<Cloud> clouds;
+    for (std::size_t i = 0; i < result.pairs.size(); ++i) {
+      const double n = static_cast<double>(result.pairs.size());
+      const double begin = 0.15 + 0.7 * static_cast<double>(i) / n;
+      clouds.push_back(match_pair(request, result.images[result.pairs[i].base],
+                                  result.images[result.pairs[i].match],
+                                  context.part(begin, begin + 0.7 / n)));
+    }
+    make_surfaces(request, clouds, context.part(0.85, 1), result);
+    return result;
+  }
+
+ private:
+  Cloud match_pair(const SurfaceRequest& request, const SatelliteImage& base,
+                   const SatelliteImage& match, const Context& context) const {
+    const Context here = context.scope(base.name + "_" + match.name);
+    const GreyScale base_scale = find_grey_scale(base), match_scale = find_grey_scale(match);
+    const std::vector<cv::Rect> windows = tiles(window_of(request, base), p_.tile);
+    Cloud cloud;
+    for (std::size_t i = 0; i < windows.size(); ++i) {
+      const double n = static_cast<double>(windows.size());
+      const Context tile = here.part(static_cast<double>(i) / n, static_cast<double>(i + 1) / n);
+      match_window(request, base, match, windows[i], base_scale, match_scale,
+                   windows.size() > 1 ? tile.scope("tile_" + std::to_string(i + 1)) : tile, cloud);
+    }
+    return cloud;
+  }
+
+  void match_window(const SurfaceRequest& request, const SatelliteImage& base,
+                    const SatelliteImage& match, const cv::Rect& window,
+                    const GreyScale& base_scale, const GreyScale& match_scale,
+                    const Context& context, Cloud& cloud) const {
+    const HeightField* const dem = request.dem.get();
+    RectifiedPair pair{base, match, {}, nullptr};
+    pair.heights = p_.range_prior->heights(base, match, window, dem, context);
+    pair.geometry = p_.rectification(context, base, match, window, pair.heights);
+    DisparityRange range = p_.range_prior(context, pair, dem);
+    MatchRequest matching{resample(pair, base_scale, match_scale), std::move(range), {}};
+    if (matching.range.hull().empty()) return;
+    const MatchResult matched = p_.matching(context, matching);
+    const PointGrid points = p_.triangulation(context, pair, matched.forward);
+    append(cloud, points, matching.pair.base.planes.front(), *pair.geometry, window);
+  }
+
+  void make_surfaces(const SurfaceRequest& request, const std::vector<Cloud>& clouds,
+                     const Context& context, SurfaceResult& result) const {
+    result.grid = choose_grid(request, clouds, p_.resolution);
+    const CrsTransform to_grid("EPSG:4326", result.grid.crs);
+    for (std::size_t i = 0; i < clouds.size(); ++i) {
+      const PairChoice& pair = result.pairs[i];
+      const Context here =
+          context.scope(result.images[pair.base].name + "_" + result.images[pair.match].name);
+      const GridPoints points = on_grid(clouds[i], to_grid);
+      result.surfaces.push_back(p_.surface(here, points, result.grid));
+      if (i == 0) {
+        result.orthoimage =
+            p_.surface(here.scope("ortho"), with_greys(points, clouds[i]), result.grid);
+      }
+    }
+    result.fused = p_.fusion(context, result.surfaces);
+    result.fused.heights.metadata["vertical_datum"] = "WGS 84 ellipsoid";
+  }
+
+  Parameters p_;
+};
+
+}  // namespace
+
+XGM_PLUGIN(registry) {
+  registry.add<SurfacePipeline>("surface",
+                                "From satellite images with RPC cameras to a surface model.");
+}

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// A real pair end to end, beside the surface of an independent program.
+#include <algorithm>
+#include <cmath>
+
+#include "support/support.hpp"
+#include "xgm/geo/registry.hpp"
+#include "xgm/geo/stage/surface_family.hpp"
+#include "xgm/pipeline/lookup.hpp"
+
+using namespace xgm;
+using namespace xgm::geo;
+using xgm::testing::test_data;
+
+TEST_CASE("Réunion without a DEM: the surface agrees with that of another program") {
+  const auto data = test_data("a Pleiades pair and its surface");
+  if (!data) return;
+  const std::string s2p = (*data / "satellite/s2p/tests/data/").string();
+  Registry registry = Registry::with_builtins();
+  add_geo(registry);
+  const Pipeline pipeline = require_pipeline("dsm_tmgm16_refined", registry);
+  const auto& family = dynamic_cast<const SurfaceFamily&>(pipeline.family());
+  SurfaceRequest request;
+  request.images = {open_image(s2p + "input_pair/img_01.tif"),
+                    open_image(s2p + "input_pair/img_02.tif")};
+  const SurfaceResult result = family.run(request, Context());
+  const Raster& dsm = result.fused.heights;
+  const Raster peer = read_raster(s2p + "expected_output/pair/dsm.tif");
+  write_raster("/tmp/reunion.tif", dsm);
+  std::vector<double> differences;
+  int peer_cells = 0;
+  for (int y = 0; y < peer.values.rows; ++y) {
+    for (int x = 0; x < peer.values.cols; ++x) {
+      if (std::isnan(peer.values(y, x))) continue;
+      ++peer_cells;
+      const cv::Point2d cell = dsm.place.cell(peer.place.centre(x, y));
+      const cv::Point c(cvRound(cell.x), cvRound(cell.y));
+      if (!cv::Rect({}, dsm.values.size()).contains(c) || std::isnan(dsm.values(c))) continue;
+      differences.push_back(double{dsm.values(c)} - double{peer.values(y, x)});
+    }
+  }
+  REQUIRE_FALSE(differences.empty());
+  const auto median = [](std::vector<double> v) {
+    std::sort(v.begin(), v.end());
+    return v[v.size() / 2];
+  };
+  const double middle = median(differences);
+  std::vector<double> deviations;
+  for (const double d : differences) deviations.push_back(std::abs(d - middle));
+  const double mad = median(deviations);
+  const auto within = static_cast<double>(std::ranges::count_if(
+                          differences, [](double d) { return std::abs(d) < 1; })) /
+                      static_cast<double>(differences.size());
+  const double coverage = static_cast<double>(differences.size()) / peer_cells;
+  MESSAGE("median " << middle << " m, MAD " << mad << " m, within 1 m " << within << ", coverage "
+                    << coverage);
+  CHECK(std::abs(middle) <= 0.3);
+  CHECK(mad <= 0.4);
+  CHECK(within >= 0.8);
+  CHECK(coverage >= 0.85);
+}
