@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geo/photo_check.hpp"
 #include "support/support.hpp"
 #include "xgm/geo/registry.hpp"
 #include "xgm/geo/stage/surface_family.hpp"
@@ -26,7 +27,6 @@ TEST_CASE("Réunion without a DEM: the surface agrees with that of another progr
   const SurfaceResult result = family.run(request, Context());
   const Raster& dsm = result.fused.heights;
   const Raster peer = read_raster(s2p + "expected_output/pair/dsm.tif");
-  write_raster("/tmp/reunion.tif", dsm);
   std::vector<double> differences;
   int peer_cells = 0;
   for (int y = 0; y < peer.values.rows; ++y) {
@@ -54,6 +54,16 @@ TEST_CASE("Réunion without a DEM: the surface agrees with that of another progr
   const double coverage = static_cast<double>(differences.size()) / peer_cells;
   MESSAGE("median " << middle << " m, MAD " << mad << " m, within 1 m " << within << ", coverage "
                     << coverage);
+  const auto photo = xgm::testing::photo_check(dsm, result.images[0], result.images[1]);
+  MESSAGE("both images through the surface: " << photo.along << " px along, " << photo.across
+                                              << " px across, " << photo.patches << " patches");
+  const auto before = xgm::testing::photo_check(dsm, request.images[0], request.images[1]);
+  MESSAGE("with the vendor's cameras: " << before.along << " px along, " << before.across
+                                        << " px across");
+  CHECK(photo.patches > 300);
+  CHECK(std::abs(photo.along) <= 0.1);
+  CHECK(std::abs(photo.across) <= 0.1);
+  CHECK(std::abs(std::abs(before.across - photo.across) - 0.77) <= 0.1);
   CHECK(std::abs(middle) <= 0.3);
   CHECK(mad <= 0.4);
   CHECK(within >= 0.8);
