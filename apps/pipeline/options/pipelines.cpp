@@ -6,6 +6,9 @@
 
 #include "terminal/console.hpp"
 #include "xgm/base/error.hpp"
+#ifdef XGM_HAS_GEO
+#include "xgm/geo/registry.hpp"
+#endif
 #include "xgm/pipeline/lookup.hpp"
 
 namespace xgm::cli {
@@ -19,6 +22,23 @@ void add_plugin_options(Command command, PluginOptions& options) {
       .one_value_each();
 }
 
+namespace {
+
+/// What satellite pipelines need, or why this program lacks it.
+void add_satellites(Registry& registry) {
+#ifdef XGM_HAS_GEO
+  geo::add_geo(registry);
+#else
+  registry.add(LoadFailure{"satellites",
+                           "surface",
+                           "this program was built without GDAL and PROJ; install libgdal-dev and "
+                           "libproj-dev, and build it again",
+                           {}});
+#endif
+}
+
+}  // namespace
+
 Registry make_registry(const PluginOptions& options) {
   Registry registry = Registry::with_builtins();
   for (const std::string& file : options.files) registry.load(file);
@@ -27,6 +47,7 @@ Registry make_registry(const PluginOptions& options) {
   for (const LoadFailure& failure : registry.failures()) {
     log_warning("plugin " + failure.file + " could not be loaded: " + failure.reason);
   }
+  add_satellites(registry);
   return registry;
 }
 

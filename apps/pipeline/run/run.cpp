@@ -6,6 +6,7 @@
 #include "options/pixels.hpp"
 #include "options/scene_request.hpp"
 #include "run/run_options.hpp"
+#include "run/run_surface.hpp"
 #include "run/summary.hpp"
 #include "terminal/console.hpp"
 #include "terminal/observer.hpp"
@@ -46,15 +47,17 @@ int run(const RunCommandOptions& options, const std::vector<std::string>& comman
   TerminalObserver observer(progress);
   request.tell = [&](const std::string& what) { progress.begin(what); };
   request.tell("reading the images");  // or making the sample pair
-  const SceneRequest scene = scene_request(options, registry);
-  request.inputs = files_beside_scene(registry, options.scene, options.dataset);
   limit_memory(available_memory());
   const StopOnSignal stop;
+  const RunOptions run{
+      .observer = &observer, .threads = use_threads(options.threads), .stop = stop.token()};
   try {
-    return run_checked(
-        *pipeline, scene, request,
-        {.observer = &observer, .threads = use_threads(options.threads), .stop = stop.token()},
-        progress);
+    if (is_surface(*pipeline, options)) {
+      return run_surface(*pipeline, registry, options, command_line, run, progress);
+    }
+    const SceneRequest scene = scene_request(options, registry);
+    request.inputs = files_beside_scene(registry, options.scene, options.dataset);
+    return run_checked(*pipeline, scene, request, run, progress);
   } catch (const Cancelled&) {
     log_warning("interrupted; nothing of this run is left in " + options.output);
     return kSignalled + Interruptible::signal();

@@ -31,6 +31,33 @@ void add_insights(Command command, RunCommandOptions& options) {
       .one_value_each();
 }
 
+void add_satellites(Command command, RunCommandOptions& options) {
+  auto images = command
+                    .option("--images", options.satellite_images,
+                            "For pipelines of type surface: satellite images with RPC cameras, in "
+                            "their files or beside them")
+                    .type_name("FILE...")
+                    .existing_file();
+  command
+      .option("--masks", options.satellite_masks,
+              "One per image: not 0 where it may be used (no cloud, no water)")
+      .type_name("FILE...")
+      .existing_file()
+      .needs(images);
+  command
+      .option("--dem", options.dem,
+              "Known heights that bound the search. DATUM if the file does not say what heights "
+              "are counted from: egm96 (SRTM), egm2008, ellipsoid, EPSG:CODE")
+      .type_name("FILE[,DATUM]")
+      .needs(images);
+  command
+      .option("--area", options.area,
+              "Part of the ground to be matched, degrees. Without it, what the first image of each "
+              "pair shows")
+      .type_name("WEST,SOUTH,EAST,NORTH")
+      .needs(images);
+}
+
 }  // namespace
 
 void add_run_options(Command command, RunCommandOptions& options) {
@@ -51,6 +78,7 @@ void add_run_options(Command command, RunCommandOptions& options) {
                "Also write DIR/report.html: one page, for any browser, without network, that "
                "shows maps, values, levels, times and configuration");
   add_depth(command, options);
+  add_satellites(command, options);
   add_surroundings(command, options);
 }
 

@@ -16,6 +16,10 @@ struct RunCommandOptions : SceneOptions {
   std::string cloud;
   std::string depth;
   std::vector<std::string> explain;  ///< "X,Y" or "every=N"
+  std::vector<std::string> satellite_images;
+  std::vector<std::string> satellite_masks;
+  std::string dem;
+  std::string area;
 };
 
 void add_run_options(Command command, RunCommandOptions& options);

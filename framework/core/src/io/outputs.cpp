@@ -68,11 +68,11 @@ struct Span {
   float high = 1;
 };
 
-/// Nearly all disparities shown lie in the span; a few wrong ones do not wash out the rest.
-Span colour_span(const DisparityMap& map, const Sampling& sampling) {
+/// Nearly all values shown lie in the span; a few wrong ones do not wash out the rest.
+Span colour_span(const cv::Mat1f& map, const Sampling& sampling) {
   std::vector<float> values;
   each_shown(sampling, [&](int, int, cv::Point p) {
-    if (map.has_disparity(p.y, p.x)) values.push_back(map.disparity(p));
+    if (!std::isnan(map(p))) values.push_back(map(p));
   });
   if (values.empty()) return {};
   const auto quantile = [&](double share) {
@@ -112,7 +112,7 @@ cv::Vec3b mean_colour(const Image& image, const cv::Rect& block) {
 }
 
 /// A colour bar with five numbers: where on the bar a number stands is where its value lies.
-void draw_bar(cv::Mat3b& canvas, int top, const Span& span, int scale) {
+void draw_bar(cv::Mat3b& canvas, int top, const Span& span, const std::string& unit, int scale) {
   const int margin = kMargin * scale;
   const cv::Mat3b turbo = turbo_colours();
   cv::Mat3b ramp = canvas(cv::Rect(margin, top + margin, canvas.cols - 2 * margin, kLine * scale));
@@ -123,7 +123,7 @@ void draw_bar(cv::Mat3b& canvas, int top, const Span& span, int scale) {
   constexpr int kSteps = 4;
   for (int i = 0; i <= kSteps; ++i) {
     const double value = span.low + (span.high - span.low) * static_cast<double>(i) / kSteps;
-    const std::string text = format(i == kSteps ? "%.1f px" : "%.1f", value);
+    const std::string text = format("%.1f", value) + (i == kSteps ? " " + unit : "");
     const int width =
         cv::getTextSize(text, cv::FONT_HERSHEY_SIMPLEX, 0.45 * scale, scale, nullptr).width;
     const int centre = margin + ramp.cols * i / kSteps;
@@ -132,25 +132,33 @@ void draw_bar(cv::Mat3b& canvas, int top, const Span& span, int scale) {
   }
 }
 
+cv::Mat3b empty_picture(cv::Size map) {
+  const Layout layout{Sampling::of_picture(map).shown(), 2};
+  cv::Mat3b canvas = layout.canvas();
+  write(canvas, "no disparity anywhere", {kMargin, layout.picture.height + kLine * layout.scale()},
+        layout.scale());
+  return canvas;
+}
+
 }  // namespace
 
 cv::Mat3b disparity_picture(const DisparityMap& map) {
-  const Sampling sampling = Sampling::of_picture(map.size());
-  const Span span = colour_span(map, sampling);
+  return map.density() > 0 ? colour_picture(map.disparity, "px") : empty_picture(map.size());
+}
+
+cv::Mat3b colour_picture(const cv::Mat1f& values, const std::string& unit, const cv::Mat1f& light) {
+  const Sampling sampling = Sampling::of_picture(values.size());
+  const Span span = colour_span(values, sampling);
   const cv::Mat3b turbo = turbo_colours();
   const Layout layout{sampling.shown(), 2};
   cv::Mat3b canvas = layout.canvas();
   each_shown(sampling, [&](int y, int x, cv::Point p) {
-    if (!map.has_disparity(p.y, p.x)) return;
-    const float share = (map.disparity(p) - span.low) / (span.high - span.low);
+    if (std::isnan(values(p))) return;
+    const float share = (values(p) - span.low) / (span.high - span.low);
     canvas(y, x) = turbo(0, cv::saturate_cast<uchar>(255 * share));
+    if (!light.empty()) canvas(y, x) *= light(p);
   });
-  const int top = layout.picture.height, scale = layout.scale();
-  if (map.density() > 0) {
-    draw_bar(canvas, top, span, scale);
-  } else {
-    write(canvas, "no disparity anywhere", {kMargin, top + kLine * scale}, scale);
-  }
+  draw_bar(canvas, layout.picture.height, span, unit, layout.scale());
   return canvas;
 }
 

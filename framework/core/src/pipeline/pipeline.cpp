@@ -56,6 +56,16 @@ RunState with_stop(RunState state, const std::stop_token& stop) {
   return state;
 }
 
+void as_run(const RunOptions& options, bool base_is_reverse,
+            const std::function<void(const Context&)>& body) {
+  const ThreadLimit limit(options.threads);
+  const SimdChoice simd(options.simd);
+  const RunChange run(with_stop(run_state(), options.stop));
+  const Context context(options.observer, run.state.stop, base_is_reverse);
+  context.throw_if_cancelled();
+  body(context);
+}
+
 }  // namespace
 
 MatchResult Pipeline::run(const MatchRequest& request, const RunOptions& options) const {
@@ -67,13 +77,24 @@ MatchResult Pipeline::run(const MatchRequest& request, const RunOptions& options
   if (!request.range.is_uniform() && !stereo->accepts_range_maps()) {
     throw UsageError("matcher: needs one range for the whole image; give no range maps");
   }
-  const ThreadLimit limit(options.threads);
-  const SimdChoice simd(options.simd);
-  const RunChange run(with_stop(run_state(), options.stop));
-  Context context(options.observer, run.state.stop, request.pair.is_reverse);
-  context.take_view(request);
-  context.throw_if_cancelled();
-  return run_family(*stereo, impl_->family_name, request, context);
+  MatchResult result;
+  as_run(options, request.pair.is_reverse, [&](Context context) {
+    context.take_view(request);
+    result = run_family(*stereo, impl_->family_name, request, context);
+  });
+  return result;
+}
+
+void Pipeline::in_run(const RunOptions& options,
+                      const std::function<void(const Context&)>& body) const {
+  const StagePlace place = place_of(PipelineFamily::kKind, impl_->family_name);
+  as_run(options, false, [&](const Context& context) {
+    try {
+      body(context);
+    } catch (...) {
+      rethrow_as_error(place);
+    }
+  });
 }
 
 const Stage& Pipeline::family() const { return *impl_->family; }

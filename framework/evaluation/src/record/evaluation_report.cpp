@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "metrics/evaluation_json.hpp"
-#include "record/files_json.hpp"
 #include "xgm/base/json.hpp"
+#include "xgm/evaluation/record_json.hpp"
 #include "xgm/plugin/version.hpp"
 
 namespace xgm {

@@ -5,10 +5,10 @@
 #include <memory>
 
 #include "record/doubts.hpp"
-#include "record/run_folder.hpp"
 #include "xgm/base/memory.hpp"
 #include "xgm/base/parallel.hpp"
 #include "xgm/evaluation/report.hpp"
+#include "xgm/evaluation/run_folder.hpp"
 #include "xgm/evaluation/truth_doubts.hpp"
 #include "xgm/io/file.hpp"
 #include "xgm/io/outputs.hpp"

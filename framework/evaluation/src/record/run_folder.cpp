@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "record/run_folder.hpp"
+#include "xgm/evaluation/run_folder.hpp"
 
 #include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
 
-#include "record/files_json.hpp"
 #include "xgm/base/error.hpp"
+#include "xgm/evaluation/record_json.hpp"
 #include "xgm/io/file.hpp"
 
 namespace xgm {

@@ -1,47 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <opencv2/core/version.hpp>
-
 #include "metrics/evaluation_json.hpp"
-#include "record/files_json.hpp"
 #include "xgm/base/json.hpp"
+#include "xgm/evaluation/record_json.hpp"
 #include "xgm/evaluation/run_record.hpp"
-#include "xgm/plugin/handshake.hpp"
-#include "xgm/plugin/version.hpp"
 
 namespace xgm {
 namespace {
 
 constexpr int kFormat = 1;  // raised when a reader of run.json would have to change
-
-Json versions() {
-  return {{"xgm", XGM_VERSION},
-          {"opencv", CV_VERSION},
-          {"compiler", __VERSION__},
-          {"build", XGM_BUILD_TAG}};
-}
-
-Json stages(const RunRecord& record) {
-  Json list = Json::array();
-  for (const StageRecord& stage : record.stages) {
-    const StagePlace& place = stage.place;
-    Json entry = {{"stage", place.path},
-                  {"kind", place.kind},
-                  {"plugin", place.plugin},
-                  {"depth", place.depth},
-                  {"view", to_string(place.view)}};
-    if (!place.level.name.empty()) {
-      entry["level"] = {
-          {"name", place.level.name}, {"scale", place.level.scale}, {"path", place.level.path}};
-    }
-    if (stage.finished) {
-      entry["seconds"] = stage.statistics.seconds;
-      entry["bytes"] = stage.statistics.bytes;
-    }
-    for (const auto& [name, value] : stage.figures) entry["figures"][name] = value;
-    list.push_back(std::move(entry));
-  }
-  return list;
-}
 
 Json statuses(const RunRecord& record) {
   Json shares;
@@ -50,14 +16,6 @@ Json statuses(const RunRecord& record) {
         record.status_shares[static_cast<std::size_t>(i)];
   }
   return shares;
-}
-
-Json overrides(const RunRecord& record) {
-  Json list = Json::array();
-  for (const Override& change : record.overrides) {
-    list.push_back({{"path", change.path}, {"value", change.value}});
-  }
-  return list;
 }
 
 Json dumps(const RunRecord& record) {
@@ -75,10 +33,10 @@ Json dumps(const RunRecord& record) {
 std::string to_json(const RunRecord& record) {
   Json json;
   json["format"] = kFormat;
-  json["versions"] = versions();
+  json["versions"] = versions_json();
   json["command_line"] = record.command_line;
   json["pipeline"] = {{"file", record.pipeline_file},
-                      {"overrides", overrides(record)},
+                      {"overrides", to_json(record.overrides)},
                       {"resolved", Json::parse(record.resolved_pipeline)}};
   json["scene"] = {{"name", record.scene},
                    {"width", record.size.width},
@@ -93,7 +51,7 @@ std::string to_json(const RunRecord& record) {
   json["valid_share"] = record.valid_share;
   json["status_shares"] = statuses(record);
   if (!record.truth.empty()) json["truth"] = to_json(record.truth);
-  json["stages"] = stages(record);
+  json["stages"] = to_json(record.stages);
   json["warnings"] = record.warnings;
   if (!record.dumps.empty()) json["dumps"] = dumps(record);
   if (!record.outputs.empty()) json["outputs"] = to_json(record.outputs);

@@ -78,13 +78,13 @@ std::optional<double> Dem::height(double longitude, double latitude) const {
   return std::isnan(sum) ? std::nullopt : std::optional(sum);
 }
 
+std::string dem_file(const std::string& file) {
+  return std::filesystem::exists(file) ? file : file.substr(0, file.rfind(','));
+}
+
 std::shared_ptr<const Dem> read_dem(const std::string& file) {
-  std::string name = file, datum;
-  const std::size_t comma = file.rfind(',');
-  if (comma != std::string::npos && !std::filesystem::exists(file)) {
-    name = file.substr(0, comma);
-    datum = file.substr(comma + 1);
-  }
+  const std::string name = dem_file(file);
+  const std::string datum = name.size() < file.size() ? file.substr(name.size() + 1) : "";
   Raster raster = read_raster(name);
   if (!datum.empty()) {
     if (raster.crs.empty())

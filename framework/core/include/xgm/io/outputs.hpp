@@ -4,6 +4,7 @@
 
 #include <array>
 #include <opencv2/core.hpp>
+#include <string>
 
 #include "xgm/base/export.hpp"
 #include "xgm/data/disparity_map.hpp"
@@ -17,6 +18,11 @@ namespace xgm {
 /// the top left, unscaled unless it is larger than pictures may be (Sampling::of_picture()); narrow
 /// maps get a margin so that the legend fits.
 XGM_API cv::Mat3b disparity_picture(const DisparityMap& map);
+
+/// The same for any values (NaN: none) in `unit`. `light`, of their size or empty, darkens: 0 is
+/// black, 1 leaves the colour as it is.
+XGM_API cv::Mat3b colour_picture(const cv::Mat1f& values, const std::string& unit,
+                                 const cv::Mat1f& light = {});
 
 /// Of the picture of a map of so many pixels, legend included.
 XGM_API cv::Size picture_size(cv::Size map);

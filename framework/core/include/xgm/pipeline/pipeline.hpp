@@ -2,6 +2,7 @@
 // Load and check a pipeline, run it on a pair of images.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -32,6 +33,10 @@ class XGM_API Pipeline {
   /// for a request that fits neither itself nor the pipeline, Cancelled if the run is, and Error.
   /// Any number of runs, also of one pipeline, may be under way at once.
   MatchResult run(const MatchRequest& request, const RunOptions& options = {}) const;
+
+  /// Calls `body`, as a run with these options, with the outermost context of a family that is not
+  /// a StereoFamily. Throws what it throws, and Cancelled.
+  void in_run(const RunOptions& options, const std::function<void(const Context&)>& body) const;
 
   /// What the file is: a StereoFamily, or that of another room or plugin file.
   const Stage& family() const;

@@ -87,6 +87,8 @@ class XGM_API Registry {
   std::vector<const PluginInfo*> plugins(std::string_view kind = {}) const;
   /// All plugins called `name`, whatever their kind.
   std::vector<const PluginInfo*> named(std::string_view name) const;
+  /// For what a program lacks: whoever names it reads why.
+  void add(LoadFailure failure) { failures_.push_back(std::move(failure)); }
   const std::vector<LoadFailure>& failures() const { return failures_; }
 
   /// Every kind of stage there is: those of the core in the order data flows, then others.

@@ -21,7 +21,7 @@ inline constexpr const char* kDumpFolder = "dump";
 /// run wrote is removed, its record first. From then on until the record is written,
 /// unfinished.json lists what has been written, so that the next run knows what a run that did not
 /// end has left.
-class RunFolder {
+class XGM_API RunFolder {
  public:
   /// Makes the folder. `planned`: the files that the run is going to write, here or elsewhere.
   /// Throws UsageError if an input would be lost, another run is at work here, or a file is here

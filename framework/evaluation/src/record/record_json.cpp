@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "record/files_json.hpp"
+#include "xgm/evaluation/record_json.hpp"
 
 #include <filesystem>
+#include <opencv2/core/version.hpp>
 
 #include "xgm/base/error.hpp"
+#include "xgm/plugin/handshake.hpp"
+#include "xgm/plugin/version.hpp"
 
 namespace xgm {
 namespace {
@@ -37,6 +40,44 @@ Json to_json(const std::vector<OutputFile>& outputs) {
   Json list = Json::array();
   for (const OutputFile& output : outputs) {
     list.push_back({{"file", output.file}, {"bytes", output.bytes ? Json(*output.bytes) : Json()}});
+  }
+  return list;
+}
+
+Json versions_json() {
+  return {{"xgm", XGM_VERSION},
+          {"opencv", CV_VERSION},
+          {"compiler", __VERSION__},
+          {"build", XGM_BUILD_TAG}};
+}
+
+Json to_json(const std::vector<StageRecord>& stages) {
+  Json list = Json::array();
+  for (const StageRecord& stage : stages) {
+    const StagePlace& place = stage.place;
+    Json entry = {{"stage", place.path},
+                  {"kind", place.kind},
+                  {"plugin", place.plugin},
+                  {"depth", place.depth},
+                  {"view", to_string(place.view)}};
+    if (!place.level.name.empty()) {
+      entry["level"] = {
+          {"name", place.level.name}, {"scale", place.level.scale}, {"path", place.level.path}};
+    }
+    if (stage.finished) {
+      entry["seconds"] = stage.statistics.seconds;
+      entry["bytes"] = stage.statistics.bytes;
+    }
+    for (const auto& [name, value] : stage.figures) entry["figures"][name] = value;
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+Json to_json(const std::vector<Override>& overrides) {
+  Json list = Json::array();
+  for (const Override& change : overrides) {
+    list.push_back({{"path", change.path}, {"value", change.value}});
   }
   return list;
 }

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "run/run_surface.hpp"
+
+#include "options/scene_request.hpp"
+#include "options/values.hpp"
+#include "xgm/base/error.hpp"
+
+#ifdef XGM_HAS_GEO
+#include <spdlog/fmt/fmt.h>
+
+#include <iostream>
+
+#include "command_line/command_line.hpp"
+#include "terminal/console.hpp"
+#include "xgm/geo/run/recorded_surface.hpp"
+#endif
+
+namespace xgm::cli {
+
+#ifdef XGM_HAS_GEO
+namespace {
+
+bool makes_surfaces(const Pipeline& pipeline) {
+  return dynamic_cast<const geo::SurfaceFamily*>(&pipeline.family()) != nullptr;
+}
+
+std::optional<cv::Vec4d> parse_area(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  cv::Vec4d area;
+  const std::vector<std::string> items = split_at_commas(text);
+  bool sound = items.size() == 4;
+  for (int i = 0; sound && i < 4; ++i) {
+    const auto number = parse_number(items[static_cast<std::size_t>(i)]);
+    sound = number.has_value();
+    if (number) area[i] = *number;
+  }
+  if (sound && area[0] < area[2] && area[1] < area[3] && std::abs(area[1]) <= 90 &&
+      std::abs(area[3]) <= 90) {
+    return area;
+  }
+  throw UsageError(
+      "--area " + text +
+      ": write WEST,SOUTH,EAST,NORTH in degrees, for example 55.64,-21.24,55.66,-21.22");
+}
+
+void print_summary(const geo::RecordedSurface& run, const std::string& folder) {
+  const geo::GridSpec& grid = run.result.grid;
+  std::cout << fmt::format("surface: {} x {} cells of {:g} m, {}, {:.1f} % have a height\n",
+                           grid.size.width, grid.size.height, grid.place.step_x,
+                           geo::crs_name(grid.crs), 100 * run.covered)
+            << fmt::format("cost:    {:.1f} s\nwritten: {}/dsm.tif and its layers, run.json\n",
+                           run.seconds, folder);
+}
+
+}  // namespace
+
+int run_surface(const Pipeline& pipeline, const Registry& registry,
+                const RunCommandOptions& options, const std::vector<std::string>& command_line,
+                const RunOptions& run, Progress& progress) {
+  const geo::SurfaceFiles files{options.satellite_images, options.dem, options.satellite_masks,
+                                parse_area(options.area)};
+  geo::SurfaceRecordRequest request{.folder = options.output,
+                                    .overrides = parse_overrides(options.assignments),
+                                    .command_line = command_line,
+                                    .inputs = files_beside_scene(registry, {}, {})};
+  request.tell = [&](const std::string& what) { progress.begin(what); };
+  const geo::RecordedSurface recorded = geo::record_surface(pipeline, files, request, run);
+  progress.end();
+  print_summary(recorded, options.output);
+  if (recorded.failure.empty()) return kOk;
+  log_error(recorded.failure);
+  return kFailed;
+}
+#else
+namespace {
+
+bool makes_surfaces(const Pipeline&) { return false; }
+
+}  // namespace
+
+int run_surface(const Pipeline&, const Registry&, const RunCommandOptions&,
+                const std::vector<std::string>&, const RunOptions&, Progress&) {
+  throw UsageError("this program was built without GDAL and PROJ");
+}
+#endif
+
+bool is_surface(const Pipeline& pipeline, const RunCommandOptions& options) {
+  const bool surface = makes_surfaces(pipeline);
+  if (surface && options.satellite_images.empty()) {
+    throw UsageError(pipeline.file() +
+                     ": makes surfaces of satellite images; give --images FILE "
+                     "FILE ...");
+  }
+  if (!surface && !options.satellite_images.empty()) {
+    throw UsageError(pipeline.file() +
+                     ": matches one pair of images; --images are for pipelines of "
+                     "type surface, such as dsm_tmgm16");
+  }
+  return surface;
+}
+
+}  // namespace xgm::cli

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs a surface pipeline and keeps all there is to know of the run in a folder: what `pipeline
+// run` does with satellite images, for any program.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "xgm/geo/stage/surface_family.hpp"
+#include "xgm/io/scene.hpp"
+#include "xgm/pipeline/pipeline.hpp"
+
+namespace xgm::geo {
+
+struct SurfaceFiles {
+  std::vector<std::string> images;   ///< at least two
+  std::string dem{};                 ///< "FILE" or "FILE,DATUM"; empty: none
+  std::vector<std::string> masks{};  ///< of the images, in their order; none, or as many
+  std::optional<cv::Vec4d> area{};   ///< west, south, east, north, degrees
+};
+
+struct SurfaceRecordRequest {
+  std::string folder{};                     ///< made if it is missing
+  std::vector<Override> overrides{};        ///< that the pipeline was loaded with, for the record
+  std::vector<std::string> command_line{};  ///< for the record
+  std::vector<NamedFile> inputs{};          ///< files read for this run beside those above
+  /// Told what is done now ("reading the images").
+  std::function<void(const std::string&)> tell = [](const std::string&) {};
+};
+
+struct RecordedSurface {
+  SurfaceResult result;
+  double covered = 0;   ///< share of the grid's cells that have a height
+  double seconds = 0;   ///< of the run, without writing
+  std::string failure;  ///< why the surface is of no use; empty if it has a height anywhere
+};
+
+/// Writes to the folder: dsm.tif (heights above the ellipsoid), pairs.tif and spread.tif (how many
+/// pairs have seen a cell, and how far they disagree), orthoimage.tif, dsm.png, the cameras that
+/// were used as NAME_rpc.txt and, last, run.json. Throws UsageError for what is wrong before
+/// anything is matched, else Error; if it is Cancelled, nothing is left of it.
+XGM_API RecordedSurface record_surface(const Pipeline& pipeline, const SurfaceFiles& files,
+                                       const SurfaceRecordRequest& request,
+                                       const RunOptions& options = {});
+
+}  // namespace xgm::geo

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "xgm/geo/run/recorded_surface.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+#include "xgm/base/error.hpp"
+#include "xgm/base/json.hpp"
+#include "xgm/base/memory.hpp"
+#include "xgm/base/parallel.hpp"
+#include "xgm/evaluation/record_json.hpp"
+#include "xgm/evaluation/run_folder.hpp"
+#include "xgm/geo/camera/write_rpc.hpp"
+#include "xgm/geo/ground/dem.hpp"
+#include "xgm/geo/run/relief.hpp"
+#include "xgm/io/file.hpp"
+#include "xgm/io/image_io.hpp"
+#include "xgm/stage/observers.hpp"
+
+namespace xgm::geo {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array kLayers{"dsm.tif", "pairs.tif", "spread.tif", "orthoimage.tif", "dsm.png"};
+
+std::string camera_file(const std::string& image) {
+  return fs::path(image).stem().string() + "_rpc.txt";
+}
+
+std::vector<NamedFile> files_read(const Pipeline& pipeline, const SurfaceFiles& files,
+                                  const SurfaceRecordRequest& request) {
+  std::vector<NamedFile> read{{"pipeline", pipeline.file()}};
+  for (const std::string& image : files.images) read.push_back({"image", image});
+  for (const std::string& mask : files.masks) read.push_back({"mask", mask});
+  if (!files.dem.empty()) read.push_back({"DEM", dem_file(files.dem)});
+  read.insert(read.end(), request.inputs.begin(), request.inputs.end());
+  return read;
+}
+
+std::vector<NamedFile> files_written(const SurfaceFiles& files, const std::string& folder) {
+  std::vector<NamedFile> written;
+  const auto add = [&](const std::string& name) {
+    written.push_back({"--output", (fs::path(folder) / name).string()});
+  };
+  for (const char* layer : kLayers) add(layer);
+  for (const std::string& image : files.images) add(camera_file(image));
+  add(kRecordFile);
+  return written;
+}
+
+void check(const SurfaceFiles& files) {
+  if (files.images.size() < 2) throw UsageError("--images: give at least two satellite images");
+  if (!files.masks.empty() && files.masks.size() != files.images.size()) {
+    throw UsageError("--masks: give one mask for each of the " +
+                     std::to_string(files.images.size()) + " images, or none");
+  }
+  std::set<std::string> names;
+  for (const std::string& image : files.images) {
+    if (!names.insert(fs::path(image).stem().string()).second) {
+      throw UsageError(image + ": another image has the same name; give them different names");
+    }
+  }
+}
+
+SurfaceRequest read_request(const SurfaceFiles& files) {
+  SurfaceRequest request;
+  for (std::size_t i = 0; i < files.images.size(); ++i) {
+    request.images.push_back(open_image(files.images[i]));
+    if (!files.masks.empty()) request.images.back().mask = files.masks[i];
+  }
+  if (!files.dem.empty()) request.dem = read_dem(files.dem);
+  request.area = files.area;
+  return request;
+}
+
+Raster layer(const SurfaceResult& result, const cv::Mat1f& values) {
+  return {values, result.grid.place, result.grid.crs, {}};
+}
+
+void write_layers(const SurfaceResult& result, const RunFolder& folder) {
+  Raster heights = result.fused.heights;
+  heights.crs = with_heights(result.grid.crs, "ellipsoid");
+  write_raster(folder.file("dsm.tif"), heights);
+  write_raster(folder.file("pairs.tif"), layer(result, result.fused.count));
+  write_raster(folder.file("spread.tif"), layer(result, result.fused.spread));
+  write_raster(folder.file("orthoimage.tif"), layer(result, result.orthoimage.values));
+  write_png(folder.file("dsm.png"), relief_picture(heights));
+  for (const SatelliteImage& image : result.images) {
+    write_file(folder.file(camera_file(image.file)), rpc_text(image.camera.model()));
+  }
+}
+
+Json pairs_json(const SurfaceResult& result) {
+  Json pairs = Json::array();
+  for (std::size_t i = 0; i < result.pairs.size(); ++i) {
+    pairs.push_back({{"base", result.images[result.pairs[i].base].name},
+                     {"match", result.images[result.pairs[i].match].name},
+                     {"above_fused_m", result.fused.offsets[i]}});
+  }
+  return pairs;
+}
+
+Json grid_json(const GridSpec& grid) {
+  return {{"crs", crs_name(grid.crs)},
+          {"left", grid.place.left},
+          {"top", grid.place.top},
+          {"resolution_m", grid.place.step_x},
+          {"columns", grid.size.width},
+          {"rows", grid.size.height},
+          {"heights_above", "WGS 84 ellipsoid"}};
+}
+
+/// What is wrong goes to the record, too.
+class Warnings final : public Observer {
+ public:
+  void log(LogLevel level, const StagePlace& place, const std::string& text) override {
+    if (level == LogLevel::warning) all.push_back(place.path + ": " + text);
+  }
+  std::vector<std::string> all;
+};
+
+double share_of_heights(const cv::Mat1f& heights) {
+  const auto count =
+      std::count_if(heights.begin(), heights.end(), [](float h) { return !std::isnan(h); });
+  return static_cast<double>(count) / static_cast<double>(heights.total());
+}
+
+}  // namespace
+
+RecordedSurface record_surface(const Pipeline& pipeline, const SurfaceFiles& files,
+                               const SurfaceRecordRequest& request, const RunOptions& options) {
+  const auto* const family = dynamic_cast<const SurfaceFamily*>(&pipeline.family());
+  if (family == nullptr) throw UsageError(pipeline.file() + ": is no pipeline of type surface");
+  check(files);
+  const std::vector<NamedFile> inputs = files_read(pipeline, files, request);
+  RunFolder folder(request.folder, files_written(files, request.folder), inputs);
+  request.tell("reading the images");
+  const SurfaceRequest opened = read_request(files);
+  RunRecorder recorder;
+  Warnings warnings;
+  Observers observers;
+  observers.add(recorder);
+  observers.add(warnings);
+  if (options.observer != nullptr) observers.add(*options.observer);
+  RunOptions watched = options;
+  watched.observer = &observers;
+  request.tell("making the surface");
+  RecordedSurface recorded;
+  const auto start = std::chrono::steady_clock::now();
+  pipeline.in_run(watched,
+                  [&](const Context& context) { recorded.result = family->run(opened, context); });
+  recorded.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  recorded.covered = share_of_heights(recorded.result.fused.heights.values);
+  if (recorded.covered == 0)
+    recorded.failure = "the surface is empty: no pixel of any pair matched";
+  request.tell("writing the results");
+  folder.begin();
+  write_layers(recorded.result, folder);
+  Json json;
+  json["format"] = 1;
+  json["versions"] = versions_json();
+  json["command_line"] = request.command_line;
+  json["pipeline"] = {{"file", pipeline.file()},
+                      {"overrides", to_json(request.overrides)},
+                      {"resolved", Json::parse(pipeline.resolved_json())}};
+  json["scene"] = {{"inputs", to_json(identify_files(inputs))}};
+  json["grid"] = grid_json(recorded.result.grid);
+  json["pairs"] = pairs_json(recorded.result);
+  json["covered_share"] = recorded.covered;
+  json["threads"] = options.threads > 0 ? options.threads : thread_count();
+  json["seconds"] = recorded.seconds;
+  json["peak_memory_bytes"] = peak_memory();
+  json["stages"] = to_json(recorder.stages());
+  json["warnings"] = warnings.all;
+  json["outputs"] = to_json(folder.outputs());
+  write_file(folder.file(kRecordFile), json.dump(2) + "\n");
+  folder.end();
+  return recorded;
+}
+
+}  // namespace xgm::geo
