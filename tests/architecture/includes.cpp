@@ -20,7 +20,8 @@ std::vector<std::string> include_folders(const std::string& file) {
     folders.push_back("framework/" + parts[1] + "/src/");
   if (parts.size() > 1 && parts[0] == "apps") folders.push_back("apps/" + parts[1] + "/");
   if (parts[0] == "tests")
-    folders.insert(folders.end(), {"tests/", "framework/core/src/", "framework/evaluation/src/"});
+    folders.insert(folders.end(), {"tests/", "framework/core/src/", "framework/evaluation/src/",
+                                   "framework/geo/src/"});
   return folders;
 }
 

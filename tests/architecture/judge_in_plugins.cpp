@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <set>
+
 #include "architecture/rooms.hpp"
 #include "architecture/rules.hpp"
 
@@ -21,6 +23,13 @@ bool is_engine(const PluginFolder& folder, const Tree& tree) {
   return has_folder(tree, folder.path) && !tree.contains(folder.path + "/" + folder.name + ".cpp");
 }
 
+/// Whether the plugin belongs to the room geo, which has kinds of its own.
+bool is_of_geo(const PluginFolder& folder) {
+  static const std::set<std::string> kinds{
+      "fusion", "pairs", "pointing", "range_prior", "rectification", "surface", "triangulation"};
+  return kinds.contains(folder.kind) || folder.path == "plugins/pipeline/surface";
+}
+
 Complaint judge_plugin_header(const PluginFolder& from, const std::string& target,
                               const Tree& tree) {
   const PluginFolder to = plugin_folder(target);
@@ -39,6 +48,9 @@ Complaint judge_in_plugins(const std::string& file, const Include& include, cons
   if (const std::string header = public_header(include.target); !header.empty()) {
     const Place place = place_of(header);
     if (place.room == "core" && core_folder_may_include("plugin", place.folder)) return {};
+    if (place.room == "geo" && is_of_geo(plugin_folder(file))) {
+      return place.folder == "run" ? "a plugin does not run pipelines" : Complaint();
+    }
     return "this header is for programs, not for plugins";
   }
   if (!include.quoted) return {};

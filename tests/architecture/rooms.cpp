@@ -12,6 +12,7 @@ const std::map<std::string, std::set<std::string>>& rooms() {
       {"synthesis", {"core"}},
       {"evaluation", {"core"}},
       {"testing", {"core", "synthesis"}},
+      {"geo", {"core", "evaluation", "synthesis"}},
   };
   return below;
 }

@@ -13,6 +13,26 @@ using namespace xgm;
 using namespace xgm::geo;
 using xgm::testing::test_data;
 
+TEST_CASE("the shipped satellite pipelines are sound, and describe themselves") {
+  Registry registry = Registry::with_builtins();
+  add_geo(registry);
+  for (const char* name : {"dsm_tsgm8", "dsm_tmgm16.yaml", "dsm_tmgm16_refined"}) {
+    CAPTURE(name);
+    const Pipeline pipeline = require_pipeline(name, registry);
+    CHECK(dynamic_cast<const SurfaceFamily*>(&pipeline.family()) != nullptr);
+    CHECK(pipeline.resolved_json().find("census") != std::string::npos);
+  }
+  // The part that is named can be changed like any other.
+  const Pipeline changed =
+      require_pipeline("dsm_tsgm8", registry, {{"matching.matcher.scale", "4"}});
+  CHECK(changed.graph().find("scale=4") != std::string::npos);
+  const LoadedPipeline misnamed =
+      load_pipeline_text("xgm: 1\ntype: surface\nmatching: tmgm61.yaml\n", "mine.yaml", registry);
+  REQUIRE_FALSE(misnamed.pipeline);
+  CHECK(to_string(misnamed.diagnostics).find("mine.yaml:3:11") != std::string::npos);
+  CHECK(to_string(misnamed.diagnostics).find("tmgm16.yaml") != std::string::npos);
+}
+
 TEST_CASE("Réunion without a DEM: the surface agrees with that of another program") {
   const auto data = test_data("a Pleiades pair and its surface");
   if (!data) return;

@@ -53,17 +53,27 @@ bool looks_like_image(const std::string& argument) {
   return std::ranges::find(kEndings, ending) != kEndings.end();
 }
 
+/// Whether all that follows up to the next option belongs to it.
+bool takes_list(const CLI::App& command, const std::string& name) {
+  const CLI::Option* const option = command.get_option_no_throw(name);
+  return option != nullptr && option->get_allow_extra_args();
+}
+
 /// Many call a matcher with two images, without the names of options.
-void require_named_images(const std::vector<std::string>& arguments,
-                          const std::vector<std::string>& options) {
-  if (std::ranges::find(options, "--left") == options.end()) return;
+void require_named_images(const std::vector<std::string>& arguments, const CLI::App& command) {
+  if (command.get_option_no_throw("--left") == nullptr) return;
+  std::string before;  // the last option, as long as what follows may be its value
   for (std::size_t i = 1; i < arguments.size(); ++i) {
-    const bool has_place =
-        option_name(arguments[i - 1]).empty() && option_name(arguments[i]).empty();
-    if (has_place && looks_like_image(arguments[i]) &&
-        !std::filesystem::is_directory(arguments[i])) {
-      throw UsageError("'" + arguments[i] +
-                       "' is an image: give images as --left FILE --right FILE");
+    const std::string& argument = arguments[i];
+    const std::string name = option_name(argument);
+    if (!name.empty()) {
+      before = name;
+      continue;
+    }
+    const bool has_place = before.empty();
+    if (!takes_list(command, before)) before.clear();
+    if (has_place && looks_like_image(argument) && !std::filesystem::is_directory(argument)) {
+      throw UsageError("'" + argument + "' is an image: give images as --left FILE --right FILE");
     }
   }
 }
@@ -107,7 +117,7 @@ void CommandLine::require_known_names() const {
     if (argument == "--") return;
     require_option(argument, options);
   }
-  require_named_images(arguments_, options);
+  require_named_images(arguments_, *app_->get_subcommand(first));
 }
 
 int CommandLine::run() {

@@ -6,6 +6,7 @@
 
 #include "commands.hpp"
 #include "eval/eval_options.hpp"
+#include "eval/eval_surface.hpp"
 #include "eval/eval_table.hpp"
 #include "options/output_files.hpp"
 #include "options/scene_request.hpp"
@@ -172,9 +173,10 @@ int eval(const EvalOptions& options) {
 
 void add_eval(CommandLine& line) {
   auto options = std::make_shared<EvalOptions>();
-  add_eval_options(line.add("eval", "Compare a disparity map with the truth",
-                            [options] { return eval(*options); }),
-                   *options);
+  add_eval_options(
+      line.add("eval", "Compare a disparity map with the truth",
+               [options] { return options->surface ? eval_surface(*options) : eval(*options); }),
+      *options);
 }
 
 }  // namespace xgm::cli

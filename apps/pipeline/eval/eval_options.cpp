@@ -76,6 +76,9 @@ void add_rules(Command command, EvalOptions& options) {
 }  // namespace
 
 void add_eval_options(Command command, EvalOptions& options) {
+  command.flag(
+      "--surface", options.surface,
+      "Compare heights (m): a surface of satellite images with --truth, LiDAR for example");
   add_inputs(command, options);
   add_rules(command, options);
   command

@@ -32,6 +32,7 @@ struct EvalOptions {
   std::string clip;
   std::string json;
   std::string csv;
+  bool surface = false;
 };
 
 void add_eval_options(Command command, EvalOptions& options);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "xgm/geo/stage/range_prior.hpp"
+
 namespace xgm::geo {
 namespace {
 
@@ -49,6 +51,25 @@ cv::Rect window_of(const SurfaceRequest& request, const SatelliteImage& base) {
                          whole;
   if (shown.empty()) throw Error(base.file + ": shows nothing of the requested area");
   return shown;
+}
+
+bool overlap(const SatelliteImage& base, const SatelliteImage& match) {
+  constexpr int kPlaces = 9;   // per direction
+  constexpr int kHeights = 9;  // between the lowest and the highest
+  const HeightInterval heights = common_heights(base.camera, match.camera);
+  for (int k = 0; k < kPlaces * kPlaces * kHeights; ++k) {
+    const cv::Point2d pixel((base.size.width - 1.0) * (k % kPlaces) / (kPlaces - 1),
+                            (base.size.height - 1.0) * (k / kPlaces % kPlaces) / (kPlaces - 1));
+    const double share = k / kPlaces / kPlaces / (kHeights - 1.0);
+    const auto point =
+        base.camera.localize(pixel, heights.min + share * (heights.max - heights.min));
+    if (!point) continue;
+    const cv::Point2d seen = match.camera.project(*point);
+    const bool inside = seen.x >= 0 && seen.y >= 0 && seen.x <= match.size.width - 1.0 &&
+                        seen.y <= match.size.height - 1.0;
+    if (inside) return true;
+  }
+  return false;
 }
 
 std::vector<cv::Rect> tiles(const cv::Rect& whole, int side) {

@@ -12,6 +12,10 @@ namespace xgm::geo {
 /// The part of the base image that shows the requested area. Throws Error if it shows none of it.
 cv::Rect window_of(const SurfaceRequest& request, const SatelliteImage& base);
 
+/// Whether the second image shows some of the ground that the first one shows, at any height that
+/// both cameras were made for.
+bool overlap(const SatelliteImage& base, const SatelliteImage& match);
+
 /// Windows of about the same size, none larger than `side`, that cover `whole`.
 std::vector<cv::Rect> tiles(const cv::Rect& whole, int side);
 

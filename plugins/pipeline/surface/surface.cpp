@@ -57,7 +57,7 @@ class SurfacePipeline final : public SurfaceFamily {
     if (request.images.size() < 2) throw UsageError("give at least two satellite images");
     SurfaceResult result;
     result.pairs = p_.pairs(context.part(0, 0.01), request.images);
-    if (result.pairs.empty()) throw Error("no pair of the images is fit for matching");
+    keep_possible(request, result.pairs, context);
     const HeightInterval heights =
         common_heights(request.images.front().camera, request.images.back().camera);
     result.images = p_.pointing(context.part(0.01, 0.15), request.images, result.pairs,
@@ -75,6 +75,24 @@ class SurfacePipeline final : public SurfaceFamily {
   }
 
  private:
+  /// Only pairs that show the same ground; what else cannot go well is found before any work.
+  static void keep_possible(const SurfaceRequest& request, std::vector<PairChoice>& pairs,
+                            const Context& context) {
+    const std::vector<SatelliteImage>& images = request.images;
+    std::erase_if(pairs, [&](const PairChoice& pair) {
+      if (overlap(images[pair.base], images[pair.match])) return false;
+      context.warn(images[pair.base].file + " and " + images[pair.match].file +
+                   " do not show the same ground; they are not matched");
+      return true;
+    });
+    if (pairs.empty())
+      throw Error("no two of the images show the same ground and are fit to match");
+    for (const PairChoice& pair : pairs) {
+      const cv::Rect window = window_of(request, images[pair.base]);
+      if (request.dem != nullptr) dem_heights(images[pair.base], window, *request.dem);
+    }
+  }
+
   Cloud match_pair(const SurfaceRequest& request, const SatelliteImage& base,
                    const SatelliteImage& match, const Context& context) const {
     const Context here = context.scope(base.name + "_" + match.name);

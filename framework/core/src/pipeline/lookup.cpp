@@ -13,6 +13,26 @@ namespace {
 
 constexpr const char* kEnding = ".yaml";
 
+/// The folder, and those in it: one for each other family of pipelines.
+std::vector<fs::path> folders_of(const std::string& folder) {
+  std::vector<fs::path> folders{folder};
+  std::error_code missing;
+  for (const auto& entry : fs::directory_iterator(folder, missing)) {
+    if (entry.is_directory(missing)) folders.push_back(entry.path());
+  }
+  std::sort(folders.begin() + 1, folders.end());
+  return folders;
+}
+
+std::vector<std::string> all_names(const std::string& folder) {
+  std::vector<std::string> names;
+  for (const fs::path& below : folders_of(folder)) {
+    const std::vector<std::string> found = shipped_pipelines(below.string());
+    names.insert(names.end(), found.begin(), found.end());
+  }
+  return names;
+}
+
 bool is_path(const std::string& name) { return name.find('/') != std::string::npos; }
 
 }  // namespace
@@ -36,12 +56,15 @@ std::string find_pipeline(const std::string& name, const std::string& folder) {
   }
   if (fs::exists(name, unusable)) return name;
   if (!is_path(name) && !name.empty()) {
-    for (const std::string& candidate : {name, name + kEnding}) {
-      const fs::path file = fs::path(folder) / candidate;
-      if (file.extension() == kEnding && fs::is_regular_file(file, unusable)) return file.string();
+    for (const fs::path& below : folders_of(folder)) {
+      for (const std::string& candidate : {name, name + kEnding}) {
+        const fs::path file = below / candidate;
+        if (file.extension() == kEnding && fs::is_regular_file(file, unusable))
+          return file.string();
+      }
     }
   }
-  const std::vector<std::string> names = shipped_pipelines(folder);
+  const std::vector<std::string> names = all_names(folder);
   const std::string bare = fs::path(name).filename().string();
   const std::string guess = suggest(bare.ends_with(kEnding) ? bare : bare + kEnding, names, "");
   throw UsageError("'" + name + "' is neither a file nor a shipped pipeline; " +

@@ -4,6 +4,7 @@
 #include <gdal_priv.h>
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "ground/gdal.hpp"
@@ -35,6 +36,24 @@ GridPlace place_of(GDALDataset& dataset, const std::string& file) {
     throw Error(file + ": the raster is rotated; warp it north up first (gdalwarp)");
   }
   return {t[0], t[3], t[1], t[5]};
+}
+
+/// The bytes of the file, made in memory: it gets its name when it is complete.
+std::string encode(GDALDriver& cog, GDALDataset& dataset, const std::string& file) {
+  const char* const options[] = {"COMPRESS=DEFLATE", "PREDICTOR=YES", "RESAMPLING=AVERAGE",
+                                 nullptr};
+  const std::string name =
+      "/vsimem/xgm/" + std::to_string(reinterpret_cast<std::uintptr_t>(&dataset));
+  const DatasetPtr copy(
+      cog.CreateCopy(name.c_str(), &dataset, FALSE, const_cast<char**>(options), nullptr, nullptr));
+  require(copy != nullptr, file, "cannot be written");
+  copy->FlushCache();
+  vsi_l_offset size = 0;
+  const GByte* const bytes = VSIGetMemFileBuffer(name.c_str(), &size, FALSE);
+  std::string encoded(reinterpret_cast<const char*>(bytes), static_cast<std::size_t>(size));
+  VSIUnlink(name.c_str());
+  VSIUnlink((name + ".aux.xml").c_str());
+  return encoded;
 }
 
 }  // namespace
@@ -91,16 +110,7 @@ void write_raster(const std::string& file, const Raster& raster) {
   require(band.RasterIO(GF_Write, 0, 0, values.cols, values.rows, values.data, values.cols,
                         values.rows, GDT_Float32, 0, 0) == CE_None,
           file, "cannot be written");
-  const char* const options[] = {"COMPRESS=DEFLATE", "PREDICTOR=YES", "RESAMPLING=AVERAGE",
-                                 nullptr};
-  const std::string part = file + ".part";
-  {
-    const DatasetPtr copy(cog->CreateCopy(part.c_str(), dataset.get(), FALSE,
-                                          const_cast<char**>(options), nullptr, nullptr));
-    if (copy == nullptr) std::filesystem::remove(part);
-    require(copy != nullptr, file, "cannot be written");
-  }
-  std::filesystem::rename(part, file);
+  write_file(file, encode(*cog, *dataset, file));
 }
 
 }  // namespace xgm::geo

@@ -82,8 +82,8 @@ Raster layer(const SurfaceResult& result, const cv::Mat1f& values) {
 }
 
 void write_layers(const SurfaceResult& result, const RunFolder& folder) {
-  Raster heights = result.fused.heights;
-  heights.crs = with_heights(result.grid.crs, "ellipsoid");
+  // GeoTIFF has no projected CRS of three dimensions: what heights are counted from is metadata.
+  const Raster& heights = result.fused.heights;
   write_raster(folder.file("dsm.tif"), heights);
   write_raster(folder.file("pairs.tif"), layer(result, result.fused.count));
   write_raster(folder.file("spread.tif"), layer(result, result.fused.spread));
