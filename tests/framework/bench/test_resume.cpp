@@ -195,9 +195,10 @@ TEST_CASE("a run that left no record is a failed cell, and the others go on") {
 TEST_CASE("a record that is none, or has figures that no run has, fails its cell by name") {
   const std::string figures = R"({"seconds": {"matching": 1}, "peak_memory_bytes": 1, )"
                               R"("valid_share": 1, "disparities": {"first": 0, "last": 1}, )";
-  for (const std::string& text : {std::string("{"), std::string("[]"), std::string(100'000, '['),
-                                 figures + "}", figures + R"("scene": {"width": -4, "height": 2}})",
-                                 figures + R"("scene": {"width": 1e300, "height": 1e300}})"}) {
+  for (const std::string& text :
+       {std::string("{"), std::string("[]"), std::string(100'000, '['), figures + "}",
+        figures + R"("scene": {"width": -4, "height": 2}})",
+        figures + R"("scene": {"width": 1e300, "height": 1e300}})"}) {
     CAPTURE(text.substr(0, 200));
     Bench bench;
     bench.spoilt = text;
