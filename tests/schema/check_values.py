@@ -31,8 +31,18 @@ NEEDED = {
 RELATED = {("weighted_sum", "weights")}
 
 
+# The families of pipelines, by their names, and what they have at their top.
+FAMILIES = {family["properties"]["type"]["const"]: family["properties"]
+            for family in schema.get("anyOf", [schema])}
+SURFACE = {"type": "surface", "matching": "sgm8.yaml"}
+
+
 def pipeline_with(kind, stage):
     """A pipeline that has this stage."""
+    if kind == "pipeline" and stage["type"] == "surface":
+        return {**SURFACE, **stage}
+    if kind in FAMILIES.get("surface", {}) and kind != "matcher":
+        return {**SURFACE, kind: stage}
     if kind == "pipeline":
         return {"matcher": SEMI_GLOBAL, **{k: v for k, v in stage.items() if k != "type"}}
     if kind in ("filter", "preprocess"):
@@ -74,8 +84,8 @@ def candidates(field):
 
 def parameters():
     """Kind, plugin, its value fields."""
-    top = {k: v for k, v in schema["properties"].items() if k not in ("type", "xgm")}
-    plugins = [("pipeline", "stereo", top)]
+    plugins = [("pipeline", family, {k: v for k, v in top.items() if k not in ("type", "xgm")})
+               for family, top in FAMILIES.items()]
     for kind, definition in schema["definitions"].items():
         plugins += [(kind, entry["properties"]["type"]["const"], entry["properties"])
                     for entry in definition["anyOf"] if "properties" in entry]

@@ -82,6 +82,8 @@ Json stage_schema(const std::string& kind, const Registry& registry) {
     maps.push_back(std::move(map));
   }
   if (maps.empty()) return {{"not", Json::object()}};
+  const bool may_be_named = kind == PipelineFamily::kKind;  // by the name of its file
+  if (may_be_named) return {{"anyOf", {Json{{"type", "string"}}, Json{{"anyOf", maps}}}}};
   if (!names.empty()) maps.insert(maps.begin(), Json{{"enum", names}});
   return {{"anyOf", maps}};
 }
