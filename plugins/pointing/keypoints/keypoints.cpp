@@ -4,13 +4,11 @@
 // error along the lines cannot be told from height. De Franchis, Meinhardt-Llopis, Michel, Morel,
 // Facciolo: An automatic and modular stereo pipeline for pushbroom images (ISPRS Annals 2014),
 // Section 4.
-#include "xgm/geo/image/keypoints.hpp"
-
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
-#include "xgm/geo/stage/pointing.hpp"
+#include "plugins/pointing/tie_points/search.hpp"
 
 namespace {
 
@@ -33,20 +31,12 @@ double median(std::vector<double> values) {
 class Keypoints final : public Pointing {
  public:
   struct Parameters {
-    double max_offset = 20;
-    int window = 1000;
-    int windows = 4;
+    TieSearch search;
     int min_matches = 10;
   };
 
   static void describe(Parameters& p, ParameterSet& set) {
-    set.add("max_offset", p.max_offset, "Largest pointing error across the epipolar lines.")
-        .unit("px")
-        .range(0.5, 1000);
-    set.add("window", p.window, "Side of the windows in which key points are looked for.")
-        .unit("px")
-        .range(100, 4000);
-    set.add("windows", p.windows, "In each direction of an image, at most.").range(1, 50);
+    geo::describe(p.search, set);
     set.add("min_matches", p.min_matches,
             "With fewer matches the cameras of a pair are left as they are, with a warning.")
         .range(3, 100000);
@@ -62,7 +52,7 @@ class Keypoints final : public Pointing {
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const SatelliteImage& base = images[pairs[i].base];
       const SatelliteImage& match = images[pairs[i].match];
-      const std::vector<KeypointMatch> matches = find_matches(base, match, ground.heights);
+      const std::vector<KeypointMatch> matches = find_ties(base, match, ground.heights, p_.search);
       const std::string what = base.name + " " + match.name;
       context.figure(what + " matches", static_cast<double>(matches.size()));
       if (matches.size() < static_cast<std::size_t>(p_.min_matches)) {
@@ -78,26 +68,6 @@ class Keypoints final : public Pointing {
   }
 
  private:
-  std::vector<KeypointMatch> find_matches(const SatelliteImage& base, const SatelliteImage& match,
-                                          const HeightInterval& heights) const {
-    std::vector<KeypointMatch> all;
-    const auto count = [&](int length) {
-      return std::clamp((length + p_.window - 1) / p_.window, 1, p_.windows);
-    };
-    const int columns = count(base.size.width), rows = count(base.size.height);
-    for (int k = 0; k < columns * rows; ++k) {
-      // Evenly spread, the outermost at the borders.
-      const cv::Size size(std::min(p_.window, base.size.width),
-                          std::min(p_.window, base.size.height));
-      const auto at = [](int i, int n, int room) { return n > 1 ? room * i / (n - 1) : room / 2; };
-      const cv::Point corner(at(k % columns, columns, base.size.width - size.width),
-                             at(k / columns, rows, base.size.height - size.height));
-      const auto found = match_keypoints(base, match, {corner, size}, heights, p_.max_offset);
-      all.insert(all.end(), found.begin(), found.end());
-    }
-    return all;
-  }
-
   static Equation equation(const PairChoice& pair, const SatelliteImage& base,
                            const SatelliteImage& match, const std::vector<KeypointMatch>& matches,
                            const HeightInterval& heights) {
