@@ -2,8 +2,9 @@
 // The heights of a cell in groups, of which one is taken: where pairs disagree because they saw a
 // tree with and without leaves, or a roof and the street beside it, the median may be a height that
 // none of them saw. Facciolo, de Franchis, Meinhardt-Llopis: Automatic 3D reconstruction from
-// multi-date satellite images (CVPRW 2017), Section 3.4: k-medians with growing k; the lowest
-// cluster, for mismatches and seasonal leaves lie high.
+// multi-date satellite images (CVPRW 2017) keep the lowest of the clusters of k-medians. Here k
+// grows until the clusters are precise, and small clusters, which are mismatches, may be passed
+// over.
 #include <algorithm>
 #include <cmath>
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pairs whose cameras stand well to each other, and that were taken under like conditions; those
-// closest in time first. The bounds of the angles are those of Facciolo, de Franchis,
-// Meinhardt-Llopis: Automatic 3D reconstruction from multi-date satellite images (CVPRW 2017),
-// Section 3.
+// closest in time first. The bounds of the angles follow Facciolo, de Franchis, Meinhardt-Llopis:
+// Automatic 3D reconstruction from multi-date satellite images (CVPRW 2017).
 #include <algorithm>
 #include <array>
 #include <cmath>

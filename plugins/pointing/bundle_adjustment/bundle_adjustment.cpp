@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // All cameras at once: Grodecki, Dial: Block adjustment of high-resolution satellite images
-// described by rational polynomials (PE&RS 69(1), 2003), Eq. 7 to 12 with a shift per image (a0 and
-// b0); tie points are key points, with a robust loss.
+// described by rational polynomials (PE&RS 69(1), 2003), with a shift per image, a0 and b0, alone;
+// tie points are key points, with a robust loss.
 #include "plugins/pointing/bundle_adjustment/adjust.hpp"
 #include "plugins/pointing/tie_points/search.hpp"
 

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Epipolar curves of the whole image, followed piece by piece from one camera to the other and
 // back, become rows: Oh, Lee, Toth, Grejner-Brzezinska, Lee: A piecewise approach to epipolar
-// resampling of pushbroom satellite images based on RPC (PE&RS 76(12), 2010), Section "Proposed
-// Approach". A pixel's point at one height is seen by the other camera in a pixel, whose point at
-// another height is seen by the first camera in the next pixel of the curve, and so on. Curves
-// begin on a line across them through the middle of the window. Nodes of a curve get one y, and
-// ascending x in equal steps, those of the other image half a step later: so the middle height has
-// disparity 0 everywhere, and disparities grow with height alike in the whole image.
-// The inverse is found on the grid of the nodes itself, by Newton's iteration. Nearest neighbours
-// weighted by their inverse distances reproduce no linear function exactly: among nodes 1 px apart
-// they are off by up to 0.1 px.
+// resampling of pushbroom satellite images based on RPC (PE&RS 76(12), 2010). A pixel's point at
+// one height is seen by the other camera in a pixel, whose point at another height is seen by the
+// first camera in the next pixel of the curve, and so on. Curves begin on a line across them
+// through the middle of the window. Nodes of a curve get one y, and ascending x in equal steps,
+// those of the other image half a step later: so the middle height has disparity 0 everywhere, and
+// disparities grow with height alike in the whole image. The inverse is found on the grid of the
+// nodes itself, by Newton's iteration. Nearest neighbours weighted by their inverse distances
+// reproduce no linear function exactly: among nodes 1 px apart they are off by up to 0.1 px.
 #include <algorithm>
 #include <cmath>
 #include <vector>
