@@ -4,49 +4,23 @@
 // error along the lines cannot be told from height. De Franchis, Meinhardt-Llopis, Michel, Morel,
 // Facciolo: An automatic and modular stereo pipeline for pushbroom images (ISPRS Annals 2014),
 // Section 4.
-#include "xgm/geo/image/keypoints.hpp"
-
-#include <Eigen/Dense>
-#include <algorithm>
-#include <cmath>
-
-#include "xgm/geo/stage/pointing.hpp"
+#include "plugins/pointing/pair_offsets/corrections.hpp"
+#include "plugins/pointing/tie_points/search.hpp"
 
 namespace {
 
 using namespace xgm;
 using namespace xgm::geo;
 
-/// How far a pair is off, and how corrections of its cameras change that.
-struct Equation {
-  PairChoice pair;
-  cv::Vec2d base, match;  ///< what moving the image by a pixel adds
-  double offset = 0;      ///< px
-};
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 class Keypoints final : public Pointing {
  public:
   struct Parameters {
-    double max_offset = 20;
-    int window = 1000;
-    int windows = 4;
+    TieSearch search;
     int min_matches = 10;
   };
 
   static void describe(Parameters& p, ParameterSet& set) {
-    set.add("max_offset", p.max_offset, "Largest pointing error across the epipolar lines.")
-        .unit("px")
-        .range(0.5, 1000);
-    set.add("window", p.window, "Side of the windows in which key points are looked for.")
-        .unit("px")
-        .range(100, 4000);
-    set.add("windows", p.windows, "In each direction of an image, at most.").range(1, 50);
+    geo::describe(p.search, set);
     set.add("min_matches", p.min_matches,
             "With fewer matches the cameras of a pair are left as they are, with a warning.")
         .range(3, 100000);
@@ -58,11 +32,11 @@ class Keypoints final : public Pointing {
                                   const std::vector<PairChoice>& pairs,
                                   const GroundKnowledge& ground,
                                   const Context& context) const override {
-    std::vector<Equation> equations;
+    std::vector<PairOffset> offsets;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const SatelliteImage& base = images[pairs[i].base];
       const SatelliteImage& match = images[pairs[i].match];
-      const std::vector<KeypointMatch> matches = find_matches(base, match, ground.heights);
+      const std::vector<KeypointMatch> matches = find_ties(base, match, ground.heights, p_.search);
       const std::string what = base.name + " " + match.name;
       context.figure(what + " matches", static_cast<double>(matches.size()));
       if (matches.size() < static_cast<std::size_t>(p_.min_matches)) {
@@ -70,81 +44,26 @@ class Keypoints final : public Pointing {
                      " key points match; their cameras are used as they are");
         continue;
       }
-      equations.push_back(equation(pairs[i], base, match, matches, ground.heights));
-      context.figure(what + " across_px", equations.back().offset);
+      offsets.push_back(across(images, pairs[i], matches, ground.heights));
+      context.figure(what + " across_px", offsets.back().offset);
       context.progress(static_cast<double>(i + 1) / static_cast<double>(pairs.size()));
     }
-    return corrected(images, equations);
+    return without(offsets, images);
   }
 
  private:
-  std::vector<KeypointMatch> find_matches(const SatelliteImage& base, const SatelliteImage& match,
-                                          const HeightInterval& heights) const {
-    std::vector<KeypointMatch> all;
-    const auto count = [&](int length) {
-      return std::clamp((length + p_.window - 1) / p_.window, 1, p_.windows);
-    };
-    const int columns = count(base.size.width), rows = count(base.size.height);
-    for (int k = 0; k < columns * rows; ++k) {
-      // Evenly spread, the outermost at the borders.
-      const cv::Size size(std::min(p_.window, base.size.width),
-                          std::min(p_.window, base.size.height));
-      const auto at = [](int i, int n, int room) { return n > 1 ? room * i / (n - 1) : room / 2; };
-      const cv::Point corner(at(k % columns, columns, base.size.width - size.width),
-                             at(k / columns, rows, base.size.height - size.height));
-      const auto found = match_keypoints(base, match, {corner, size}, heights, p_.max_offset);
-      all.insert(all.end(), found.begin(), found.end());
-    }
-    return all;
-  }
-
-  static Equation equation(const PairChoice& pair, const SatelliteImage& base,
-                           const SatelliteImage& match, const std::vector<KeypointMatch>& matches,
+  static PairOffset across(const std::vector<SatelliteImage>& images, const PairChoice& pair,
+                           const std::vector<KeypointMatch>& matches,
                            const HeightInterval& heights) {
-    std::vector<double> across;
+    std::vector<double> offsets;
     cv::Vec2d normal;
     for (const KeypointMatch& m : matches) {
-      across.push_back(m.across);
+      offsets.push_back(m.across);
       normal += m.normal;
     }
     normal /= cv::norm(normal);
-    // What moving the base pixel does to its line.
-    const cv::Point2d here = matches[matches.size() / 2].base;
-    const double height = (heights.min + heights.max) / 2;
-    const auto seen = [&](cv::Point2d pixel) {
-      const auto point = base.camera.localize(pixel, height);
-      return point ? match.camera.project(*point) : cv::Point2d();
-    };
-    const cv::Point2d x = seen(here + cv::Point2d(1, 0)) - seen(here);
-    const cv::Point2d y = seen(here + cv::Point2d(0, 1)) - seen(here);
-    return {pair, cv::Vec2d(-normal.dot({x.x, x.y}), -normal.dot({y.x, y.y})), normal,
-            median(std::move(across))};
-  }
-
-  /// The smallest moves of all images that take the offsets of all pairs out, least squares.
-  static std::vector<SatelliteImage> corrected(std::vector<SatelliteImage> images,
-                                               const std::vector<Equation>& equations) {
-    if (equations.empty()) return images;
-    const auto n = static_cast<Eigen::Index>(equations.size());
-    Eigen::MatrixXd a = Eigen::MatrixXd::Zero(n, 2 * static_cast<Eigen::Index>(images.size()));
-    Eigen::VectorXd b(n);
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const Equation& e = equations[static_cast<std::size_t>(i)];
-      const auto base = 2 * static_cast<Eigen::Index>(e.pair.base);
-      const auto match = 2 * static_cast<Eigen::Index>(e.pair.match);
-      for (int k = 0; k < 2; ++k) {
-        a(i, base + k) = e.base[k];
-        a(i, match + k) = e.match[k];
-      }
-      b(i) = e.offset;
-    }
-    const Eigen::VectorXd moves = a.completeOrthogonalDecomposition().solve(b);
-    for (std::size_t i = 0; i < images.size(); ++i) {
-      const auto k = 2 * static_cast<Eigen::Index>(i);
-      // Points are seen where key points are: the projection moves by `moves`.
-      images[i].camera = images[i].camera.cropped({-moves(k), -moves(k + 1)});
-    }
-    return images;
+    return pair_offset(images, pair, normal, std::move(offsets), matches[matches.size() / 2].base,
+                       (heights.min + heights.max) / 2);
   }
 
   Parameters p_;

@@ -7,16 +7,12 @@
 #include <cmath>
 #include <vector>
 
-#include "xgm/geo/stage/rectification.hpp"
+#include "plugins/rectification/virtual_matches/matches.hpp"
 
 namespace {
 
 using namespace xgm;
 using namespace xgm::geo;
-
-/// Places of the window and heights at which both cameras are compared.
-constexpr int kPlaces = 7;
-constexpr int kHeights = 5;
 
 cv::Point2d apply(const cv::Matx23d& map, cv::Point2d p) {
   return {map(0, 0) * p.x + map(0, 1) * p.y + map(0, 2),
@@ -35,39 +31,18 @@ cv::Matx23d inverse(const cv::Matx23d& map) {
   return result;
 }
 
-/// Where one ground point is seen.
-struct Match {
-  cv::Point2d base, match;
-  int height = 0;  ///< index of its height, 0 to kHeights - 1
-};
-
-std::vector<Match> virtual_matches(const RpcCamera& base, const RpcCamera& match,
-                                   const cv::Rect& window, const HeightInterval& heights) {
-  std::vector<Match> matches;
-  for (int k = 0; k < kPlaces * kPlaces * kHeights; ++k) {
-    const int column = k % kPlaces, row = k / kPlaces % kPlaces, level = k / kPlaces / kPlaces;
-    const cv::Point2d pixel(window.x + (window.width - 1) * column / (kPlaces - 1.0),
-                            window.y + (window.height - 1) * row / (kPlaces - 1.0));
-    const double height = heights.min + (heights.max - heights.min) * level / (kHeights - 1.0);
-    if (const auto point = base.localize(pixel, height)) {
-      matches.push_back({pixel, match.project(*point), level});
-    }
-  }
-  return matches;
-}
-
 /// a x + b y + c x' + d y' + e = 0 for corresponding points, least squares; (a, b) has length 1 and
 /// points down.
 struct Epipolar {
   double a, b, c, d, e;
 };
 
-Epipolar fit_epipolar(const std::vector<Match>& matches) {
+Epipolar fit_epipolar(const std::vector<VirtualMatch>& matches) {
   cv::Vec4d mean;
-  for (const Match& m : matches) mean += cv::Vec4d(m.base.x, m.base.y, m.match.x, m.match.y);
+  for (const VirtualMatch& m : matches) mean += cv::Vec4d(m.base.x, m.base.y, m.match.x, m.match.y);
   mean *= 1.0 / static_cast<double>(matches.size());
   cv::Matx44d moments = cv::Matx44d::zeros();
-  for (const Match& m : matches) {
+  for (const VirtualMatch& m : matches) {
     const cv::Vec4d v = cv::Vec4d(m.base.x, m.base.y, m.match.x, m.match.y) - mean;
     moments += v * v.t();
   }
@@ -81,19 +56,20 @@ Epipolar fit_epipolar(const std::vector<Match>& matches) {
 
 class AffineGeometry final : public Rectification {
  public:
-  AffineGeometry(const std::vector<Match>& matches, const cv::Rect& window) {
+  AffineGeometry(const std::vector<VirtualMatch>& matches, const cv::Rect& window) {
     const Epipolar f = fit_epipolar(matches);
     base_ = {f.b, -f.a, 0, f.a, f.b, 0};
     const cv::Vec3d across = fit_columns(matches);
     match_ = {across[0], across[1], across[2], -f.c, -f.d, -f.e};
-    place(matches, window);
+    const cv::Rect shown = frame(*this, matches, window);
+    for (cv::Matx23d* map : {&base_, &match_}) {
+      (*map)(0, 2) -= shown.x;
+      (*map)(1, 2) -= shown.y;
+    }
+    size_ = shown.size();
     to_base_ = inverse(base_);
     to_match_ = inverse(match_);
-    double sum = 0;
-    for (const Match& m : matches) {
-      sum += std::pow(apply(base_, m.base).y - apply(match_, m.match).y, 2);
-    }
-    residual_ = std::sqrt(sum / static_cast<double>(matches.size()));
+    residual_ = residual_of(*this, matches);
   }
 
   cv::Size size() const override { return size_; }
@@ -105,40 +81,16 @@ class AffineGeometry final : public Rectification {
 
  private:
   /// Columns of the match image such that points at the middle height have disparity 0.
-  cv::Vec3d fit_columns(const std::vector<Match>& matches) const {
+  cv::Vec3d fit_columns(const std::vector<VirtualMatch>& matches) const {
     cv::Matx33d normal = cv::Matx33d::zeros();
     cv::Vec3d right;
-    for (const Match& m : matches) {
+    for (const VirtualMatch& m : matches) {
       if (m.height != kHeights / 2) continue;
       const cv::Vec3d row(m.match.x, m.match.y, 1);
       normal += row * row.t();
       right += row * apply(base_, m.base).x;
     }
     return normal.solve(right, cv::DECOMP_CHOLESKY);
-  }
-
-  /// Moves both images so that the window and what it may correspond to fits in.
-  void place(const std::vector<Match>& matches, const cv::Rect& window) {
-    double reach = 0;
-    for (const Match& m : matches) {
-      reach = std::max(reach, std::abs(apply(base_, m.base).x - apply(match_, m.match).x));
-    }
-    cv::Point2d low(INFINITY, INFINITY), high(-INFINITY, -INFINITY);
-    for (const cv::Point2d corner :
-         {cv::Point2d(window.tl()), cv::Point2d(window.br()) - cv::Point2d(1, 1),
-          cv::Point2d(window.x, window.br().y - 1.0), cv::Point2d(window.br().x - 1.0, window.y)}) {
-      const cv::Point2d p = apply(base_, corner);
-      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
-    low.x = std::floor(low.x - reach);
-    low.y = std::floor(low.y);
-    for (cv::Matx23d* map : {&base_, &match_}) {
-      (*map)(0, 2) -= low.x;
-      (*map)(1, 2) -= low.y;
-    }
-    size_ = {static_cast<int>(std::ceil(high.x + reach - low.x)) + 1,
-             static_cast<int>(std::ceil(high.y - low.y)) + 1};
   }
 
   cv::Matx23d base_, match_, to_base_, to_match_;
@@ -155,11 +107,7 @@ class Affine final : public Rectifier {
   std::shared_ptr<const Rectification> run(const SatelliteImage& base, const SatelliteImage& match,
                                            const cv::Rect& window, const HeightInterval& heights,
                                            const Context& context) const override {
-    const auto matches = virtual_matches(base.camera, match.camera, window, heights);
-    if (matches.size() < kPlaces * kPlaces * kHeights / 2) {
-      throw Error(base.file + ": its camera reaches no ground of " + std::to_string(heights.min) +
-                  " to " + std::to_string(heights.max) + " m in most of the window");
-    }
+    const auto matches = virtual_matches(base, match, window, heights);
     auto geometry = std::make_shared<const AffineGeometry>(matches, window);
     context.figure("residual_px", geometry->residual());
     return geometry;

@@ -1,27 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cpl_minixml.h>
-
 #include <array>
 #include <functional>
-#include <memory>
 #include <string_view>
 
 #include "camera/rpc_fields.hpp"
 #include "camera/rpc_formats.hpp"
-#include "ground/gdal.hpp"
+#include "ground/xml.hpp"
 #include "xgm/base/error.hpp"
 
 namespace xgm::geo {
 namespace {
-
-struct DestroyXml {
-  void operator()(CPLXMLNode* node) const { CPLDestroyXMLNode(node); }
-};
-using XmlPtr = std::unique_ptr<CPLXMLNode, DestroyXml>;
-
-bool is_element(const CPLXMLNode* node, std::string_view name) {
-  return node->eType == CXT_Element && node->pszValue == name;
-}
 
 /// The first element of that name below `node`, at any depth; null if there is none.
 const CPLXMLNode* find(const CPLXMLNode* node, std::string_view name) {
@@ -107,9 +95,7 @@ const CPLXMLNode& root_of(const CPLXMLNode* node) {
 }  // namespace
 
 std::vector<RpcModel> read_xml_rpc(const std::string& file) {
-  const QuietGdal quiet;
-  const XmlPtr document(CPLParseXMLFile(file.c_str()));
-  if (document == nullptr) throw Error(file + ": is no XML: " + QuietGdal::message());
+  const XmlPtr document = parse_xml_file(file);
   const CPLXMLNode& root = root_of(document.get());
   const std::string_view name = root.pszValue;
   if (name == "Dimap_Document" || name == "PHR_Dimap_Document") {

@@ -85,7 +85,7 @@ SatelliteImage open_image(const std::string& file, const std::string& camera_fil
           .mask = {},
           .size = {dataset->GetRasterXSize(), dataset->GetRasterYSize()},
           .camera = RpcCamera(models.front()).cropped(origin),
-          .acquisition = {}};
+          .acquisition = find_acquisition(file, camera_file)};
 }
 
 cv::Mat1f read_window(const SatelliteImage& image, cv::Rect window) {

@@ -3,20 +3,12 @@
 #pragma once
 
 #include <opencv2/core.hpp>
-#include <optional>
 #include <string>
 
 #include "xgm/geo/camera/rpc_camera.hpp"
+#include "xgm/geo/image/acquisition.hpp"
 
 namespace xgm::geo {
-
-/// What the vendor's metadata say; empty: unknown.
-struct Acquisition {
-  std::optional<double> time;           ///< s since 1970, UTC
-  std::optional<double> sun_azimuth;    ///< degrees, north is 0, east 90
-  std::optional<double> sun_elevation;  ///< degrees
-  std::optional<double> cloud_cover;    ///< share, 0 to 1
-};
 
 struct SatelliteImage {
   std::string name;  ///< unique among the images of a run
@@ -28,10 +20,10 @@ struct SatelliteImage {
   Acquisition acquisition;
 };
 
-/// Opens the image, for its size and its camera; `camera_file` is a file of read_rpc() in place of
-/// what the image itself holds. The camera is moved to the pixels of a crop that says where it lies
-/// in the vendor's image (an origin without a CRS). Throws Error, which names the file and the
-/// remedy.
+/// Opens the image, for its size, its camera and what find_acquisition() says of it; `camera_file`
+/// is a file of read_rpc() in place of what the image itself holds. The camera is moved to the
+/// pixels of a crop that says where it lies in the vendor's image (an origin without a CRS). Throws
+/// Error, which names the file and the remedy.
 XGM_API SatelliteImage open_image(const std::string& file, const std::string& camera_file = {});
 
 /// Grey levels of a window; NaN outside of the image, where it has no data and where its mask is 0.
