@@ -47,13 +47,13 @@ void make_ground(const SatelliteSceneSpec& spec, Landscape& land, cv::Size size)
   });
   const double shore = double{quantile(kind, spec.flats)};
   const auto rise = [&](int row, int column) {
-    return synthesis::smooth_step((double{kind(row, column)} - shore) / 0.5);
+    return synthesis::smooth_step((double{kind(row, column)} - shore) / 0.8);
   };
   land.heights = map_cells(land.place, size, [&](cv::Point2d p, int row, int column) {
     const double m = rise(row, column);
     if (m == 0) return 0.0;
-    return m * (1 + 0.8 * fractal_noise(mix(spec.seed + kMountains), p.x, p.y, wavelength,
-                                        wavelength / 64));
+    return m * (1 + 0.6 * fractal_noise(mix(spec.seed + kMountains), p.x, p.y, wavelength,
+                                        wavelength / 64, 0.4));
   });
   land.flat = cv::Mat1b(kind <= static_cast<float>(shore));
   const double highest = double{*std::max_element(land.heights.begin(), land.heights.end())};
@@ -103,9 +103,10 @@ std::uint64_t lattice_key(std::uint64_t key, std::int64_t i, std::int64_t j) {
   return mix(mix(key ^ static_cast<std::uint64_t>(i)) ^ static_cast<std::uint64_t>(j));
 }
 
-double fractal_noise(std::uint64_t key, double x, double y, double wavelength, double finest) {
+double fractal_noise(std::uint64_t key, double x, double y, double wavelength, double finest,
+                     double falls) {
   double sum = 0, weight = 1;
-  for (double length = wavelength; length >= finest; length /= 2, weight /= 2) {
+  for (double length = wavelength; length >= finest; length /= 2, weight *= falls) {
     key = mix(key);
     // Lattices of octaves do not share their lines.
     const double shift = 0.37 * length;

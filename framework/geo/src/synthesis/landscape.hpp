@@ -36,7 +36,9 @@ void add_trees(const SatelliteSceneSpec& spec, Landscape& land);
 /// Random numbers of a place on a lattice, the same whatever the grid.
 std::uint64_t lattice_key(std::uint64_t key, std::int64_t i, std::int64_t j);
 
-/// Noise of several octaves around 0, about -1 to 1; from `wavelength` down to `finest`, m.
-double fractal_noise(std::uint64_t key, double x, double y, double wavelength, double finest);
+/// Noise of several octaves around 0, about -1 to 1; from `wavelength` down to `finest`, m, each
+/// with `falls` of the one before.
+double fractal_noise(std::uint64_t key, double x, double y, double wavelength, double finest,
+                     double falls = 0.5);
 
 }  // namespace xgm::geo

@@ -111,7 +111,7 @@ SatelliteScene make_satellite_scene(const SatelliteSceneSpec& spec) {
       .spec = spec,
       .ground = cameras.ground,
       .views = cameras.views,
-      .surface = {land.heights, land.place, frame.crs(), {{"vertical_datum", "WGS 84 ellipsoid"}}},
+      .surface = {land.heights, land.place, frame.crs(), {{"vertical_datum", std::string(kEllipsoidalHeights)}}},
       .dem = coarse_dem(spec, land, frame),
       .images = {},
       .heights = {},
