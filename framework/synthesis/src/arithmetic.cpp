@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "arithmetic.hpp"
+#include "xgm/synthesis/arithmetic.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "arithmetic.hpp"
+#include "xgm/synthesis/arithmetic.hpp"
 #include "xgm/base/parallel.hpp"
 #include "xgm/base/random.hpp"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "arithmetic.hpp"
+#include "xgm/synthesis/arithmetic.hpp"
 #include "render.hpp"
 #include "xgm/base/parallel.hpp"
 

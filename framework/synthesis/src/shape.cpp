@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "arithmetic.hpp"
+#include "xgm/synthesis/arithmetic.hpp"
 
 namespace xgm::synthesis {
 namespace {

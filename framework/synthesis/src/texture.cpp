@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "arithmetic.hpp"
+#include "xgm/synthesis/arithmetic.hpp"
 #include "surface.hpp"
 #include "xgm/base/random.hpp"
 

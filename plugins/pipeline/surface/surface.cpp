@@ -140,7 +140,7 @@ class SurfacePipeline final : public SurfaceFamily {
       }
     }
     result.fused = p_.fusion(context, result.surfaces);
-    result.fused.heights.metadata["vertical_datum"] = "WGS 84 ellipsoid";
+    result.fused.heights.metadata["vertical_datum"] = kEllipsoidalHeights;
   }
 
   Parameters p_;

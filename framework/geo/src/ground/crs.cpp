@@ -69,6 +69,12 @@ bool has_heights(const Crs& crs) {
   return system != nullptr && proj_cs_get_axis_count(context.get(), system.get()) == 3;
 }
 
+bool has_ellipsoidal_heights(const Crs& crs) {
+  const ProjContext context = make_context();
+  const Proj object = make_crs(context.get(), crs);
+  return proj_get_type(object.get()) != PJ_TYPE_COMPOUND_CRS && has_heights(crs);
+}
+
 Crs horizontal(const Crs& crs) {
   const ProjContext context = make_context();
   const Proj object = make_crs(context.get(), crs);

@@ -90,6 +90,9 @@ std::shared_ptr<const Dem> read_dem(const std::string& file) {
     if (raster.crs.empty())
       throw UsageError(name + ": this DEM has no CRS; assign one (gdal_edit.py)");
     raster.crs = with_heights(raster.crs, datum);
+  } else if (!raster.crs.empty() && !has_heights(raster.crs) &&
+             raster.metadata["vertical_datum"] == kEllipsoidalHeights) {
+    raster.crs = with_heights(raster.crs, "ellipsoid");
   }
   return std::make_shared<const Dem>(std::move(raster), name);
 }

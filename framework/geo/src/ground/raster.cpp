@@ -98,7 +98,12 @@ void write_raster(const std::string& file, const Raster& raster) {
                  raster.place.step_y};
   if (!raster.crs.empty()) {
     dataset->SetGeoTransform(t);
-    require(dataset->SetProjection(raster.crs.c_str()) == CE_None, file, "has an unknown CRS");
+    const bool is_ellipsoidal = has_ellipsoidal_heights(raster.crs);
+    const Crs crs = is_ellipsoidal ? horizontal(raster.crs) : raster.crs;
+    require(dataset->SetProjection(crs.c_str()) == CE_None, file, "has an unknown CRS");
+    if (is_ellipsoidal) {
+      dataset->SetMetadataItem("vertical_datum", std::string(kEllipsoidalHeights).c_str());
+    }
   }
   for (const auto& [name, value] : raster.metadata) {
     dataset->SetMetadataItem(name.c_str(), value.c_str());

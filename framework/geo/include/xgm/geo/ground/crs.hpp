@@ -23,6 +23,8 @@ XGM_API Crs with_heights(const Crs& horizontal, const std::string& vertical_datu
 /// Whether the CRS says what heights are counted from: a compound CRS, or one of three dimensions.
 /// Throws Error if PROJ does not know it.
 XGM_API bool has_heights(const Crs& crs);
+/// Whether it has heights and they are those above its ellipsoid.
+XGM_API bool has_ellipsoidal_heights(const Crs& crs);
 /// The CRS without its heights.
 XGM_API Crs horizontal(const Crs& crs);
 /// Whether coordinates are longitude and latitude on WGS 84, heights or not.

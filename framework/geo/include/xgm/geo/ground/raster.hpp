@@ -36,7 +36,11 @@ struct Raster {
 /// Any format of GDAL; the nodata value of the file becomes NaN. Throws Error, which names the
 /// file: unreadable, no such band, rotated.
 XGM_API Raster read_raster(const std::string& file, int band = 1);
+/// What "vertical_datum" in the metadata of a raster says of heights above the ellipsoid.
+inline constexpr std::string_view kEllipsoidalHeights = "WGS 84 ellipsoid";
 /// Cloud-optimised GeoTIFF of 32-bit floats with overviews, NaN as nodata. Complete or not there.
+/// GeoTIFF has no projected CRS of three dimensions: it is written as one of two, and its heights
+/// as "vertical_datum".
 XGM_API void write_raster(const std::string& file, const Raster& raster);
 
 }  // namespace xgm::geo

@@ -36,7 +36,7 @@ struct RectifiedPair {
   std::shared_ptr<const Rectification> geometry;
 
   /// Where a point is seen: x and y in the rectified base image, and its disparity.
-  cv::Vec3d see(const GeoPoint& point) const;
+  XGM_API cv::Vec3d see(const GeoPoint& point) const;
 };
 
 }  // namespace xgm::geo

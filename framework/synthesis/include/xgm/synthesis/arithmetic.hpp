@@ -5,17 +5,19 @@
 
 #include <cstdint>
 
+#include "xgm/base/export.hpp"
+
 namespace xgm::synthesis {
 
 /// e^x, |x| up to 700, to about 1e-15.
-double exponential(double x);
+XGM_API double exponential(double x);
 /// t^exponent for t >= 0 and exponent > 0.
-double power(double t, double exponent);
+XGM_API double power(double t, double exponent);
 
 /// 0 to 1 for t from 0 to 1, without slope at both ends; clamped.
-double smooth_step(double t);
+XGM_API double smooth_step(double t);
 
 /// Random values (0 to 1) at whole coordinates, smoothly interpolated.
-double value_noise(std::uint64_t key, double x, double y);
+XGM_API double value_noise(std::uint64_t key, double x, double y);
 
 }  // namespace xgm::synthesis

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whether what a scene is asked to be makes sense.
+#pragma once
+
+#include "xgm/geo/synthesis/satellite_scene.hpp"
+
+namespace xgm::geo {
+
+/// Throws UsageError, which names the value and its range.
+void check(const SatelliteSceneSpec& spec);
+
+}  // namespace xgm::geo

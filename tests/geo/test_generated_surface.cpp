@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pipelines on generated scenes, judged by the true surface.
+#include <algorithm>
+#include <cmath>
+
+#include "geo/generated.hpp"
+#include "support/support.hpp"
+#include "support/temporary_folder.hpp"
+#include "xgm/geo/evaluation/surface_errors.hpp"
+#include "xgm/geo/ground/dem.hpp"
+#include "xgm/geo/registry.hpp"
+#include "xgm/geo/stage/range_prior.hpp"
+#include "xgm/geo/stage/rectification.hpp"
+#include "xgm/geo/stage/surface_family.hpp"
+#include "xgm/pipeline/lookup.hpp"
+
+using namespace xgm;
+using namespace xgm::geo;
+using xgm::testing::image_of;
+using xgm::testing::TemporaryFolder;
+
+namespace {
+
+/// The true surface where all images show the place, occluded or not; or only what all see.
+cv::Mat1f judged(const SatelliteScene& scene, bool only_visible) {
+  cv::Mat1f truth = scene.surface.values.clone();
+  const CrsTransform to_ecef(with_heights(scene.surface.crs, "ellipsoid"), "EPSG:4978");
+  for (std::size_t i = 0; i < scene.views.size(); ++i) {
+    const cv::Rect2d shown({}, cv::Size2d(scene.spec.size - 1, scene.spec.size - 1));
+    for (int row = 0; row < truth.rows; ++row) {
+      for (int column = 0; column < truth.cols; ++column) {
+        if (std::isnan(truth(row, column))) continue;
+        const cv::Point2d centre = scene.surface.place.centre(column, row);
+        const auto pixel = scene.views[i].truth.project(
+            to_ecef.forward({centre.x, centre.y, double{truth(row, column)}}));
+        const bool seen = pixel && shown.contains(*pixel) &&
+                          (!only_visible || scene.visible[i](row, column) != 0);
+        if (!seen) truth(row, column) = NAN;
+      }
+    }
+  }
+  return truth;
+}
+
+SatelliteSceneSpec mountains_and_flats() {
+  SatelliteSceneSpec spec;
+  spec.seed = 4;
+  spec.size = 1000;
+  spec.gsd = spec.posting = 1;
+  spec.relief = 200;
+  spec.views = {{.azimuth = 12, .incidence = 10, .heading = 188, .pointing_error = {}},
+                {.azimuth = 195, .incidence = 12, .heading = 193, .pointing_error = {}}};
+  return spec;
+}
+
+double search_volume(const DisparityRange& range) {
+  double cells = 0;
+  for (int y = 0; y < range.size().height; ++y) {
+    for (int x = 0; x < range.size().width; ++x) cells += range.at(y, x).size();
+  }
+  return cells;
+}
+
+struct Prior {
+  RectifiedPair pair;
+  DisparityRange range;
+};
+
+Prior run_prior(const std::string& name, const SatelliteImage& base, const SatelliteImage& match,
+                const HeightField& dem) {
+  Registry registry;
+  add_geo(registry);
+  const auto prior = make_stage<RangePrior>(name, registry);
+  const cv::Rect window({}, base.size);
+  RectifiedPair pair{base, match, {}, nullptr};
+  pair.heights = prior->heights(base, match, window, &dem, Context());
+  pair.geometry =
+      make_stage<Rectifier>("affine", registry)->run(base, match, window, pair.heights, Context());
+  return {pair, prior->run(pair, &dem, Context())};
+}
+
+/// Share of the base image's pixels whose true disparity is searched.
+double searched(const Prior& prior, const cv::Mat1f& heights) {
+  int inside = 0, all = 0;
+  for (int y = 0; y < heights.rows; y += 3) {
+    for (int x = 0; x < heights.cols; x += 3) {
+      const auto point = prior.pair.base.camera.localize(cv::Point2d(x, y), double{heights(y, x)});
+      if (!point) continue;
+      const cv::Vec3d seen = prior.pair.see(*point);
+      const cv::Point pixel(cvRound(seen[0]), cvRound(seen[1]));
+      if (!cv::Rect({}, prior.range.size()).contains(pixel)) continue;
+      const Interval range = prior.range.at(pixel.y, pixel.x);
+      ++all;
+      inside += seen[2] >= range.begin && seen[2] <= range.end - 1;
+    }
+  }
+  return static_cast<double>(inside) / all;
+}
+
+}  // namespace
+
+TEST_CASE("dsm_tsgm8 finds the true surface of a generated pair") {
+  SatelliteSceneSpec spec;
+  spec.size = 600;
+  spec.relief = 80;
+  spec.views = {{.azimuth = 12, .incidence = 7, .heading = 188, .pointing_error = {}},
+                {.azimuth = 195, .incidence = 9, .heading = 193, .pointing_error = {0, 0.9}}};
+  const SatelliteScene scene = make_satellite_scene(spec);
+  const TemporaryFolder folder;
+  SurfaceRequest request;
+  request.images = xgm::testing::written_images(folder / "scene", scene);
+  request.dem = read_dem(folder / "scene/dem.tif");
+  Registry registry = Registry::with_builtins();
+  add_geo(registry);
+  const Pipeline pipeline = require_pipeline("dsm_tsgm8", registry);
+  const auto& family = dynamic_cast<const SurfaceFamily&>(pipeline.family());
+  const SurfaceResult result = family.run(request, Context());
+  for (const bool only_visible : {false, true}) {
+    Raster truth = scene.surface;
+    truth.values = judged(scene, only_visible);
+    const SurfaceErrors errors =
+        compare_surfaces(on_grid_of(result.fused.heights, truth), truth.values);
+    MESSAGE((only_visible ? "visible cells: " : "all cells: ")
+            << errors.truth_cells << ", completeness " << errors.completeness << ", coverage "
+            << errors.coverage << ", median |dz| " << errors.median_error << " m, signed "
+            << errors.signed_median << " m, RMSE " << errors.rmse << " m");
+    CHECK(errors.completeness > 0.8);
+    CHECK(errors.median_error < 0.3);
+  }
+}
+
+TEST_CASE("a sculpted range holds the truth, in at most half of what the whole DEM searches") {
+  const SatelliteScene scene = make_satellite_scene(mountains_and_flats());
+  const Dem dem(scene.dem, "dem");
+  const SatelliteImage base = image_of(scene.views[0].exact, scene.spec.size);
+  const SatelliteImage match = image_of(scene.views[1].exact, scene.spec.size);
+  const Prior sculpted = run_prior("dem_sculpting", base, match, dem);
+  const Prior global = run_prior("dem_global", base, match, dem);
+  const Prior cameras = run_prior("rpc_heights", base, match, dem);
+  const auto per_pixel = [](const Prior& prior) {
+    return search_volume(prior.range) / static_cast<double>(prior.range.size().area());
+  };
+  MESSAGE("disparities per pixel: sculpted " << per_pixel(sculpted) << ", whole DEM "
+                                             << per_pixel(global) << ", cameras' heights "
+                                             << per_pixel(cameras));
+  const double inside = searched(sculpted, scene.heights[0]);
+  MESSAGE("truth inside: sculpted " << inside << ", whole DEM "
+                                    << searched(global, scene.heights[0]));
+  CHECK(search_volume(sculpted.range) <= search_volume(global.range) / 2);
+  CHECK(inside >= 0.995);
+}
