@@ -30,6 +30,7 @@ TEST_CASE("report: the YAML shown of each shipped pipeline resolves to the same 
   const Registry registry = Registry::with_builtins();
   const std::filesystem::path folder = std::filesystem::path(XGM_SOURCE_DIR) / "pipelines";
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (!entry.is_regular_file()) continue;
     CAPTURE(entry.path().string());
     const LoadedPipeline shipped = load_pipeline(entry.path().string(), registry);
     REQUIRE(shipped.pipeline);
