@@ -25,6 +25,7 @@ NEEDED = {
     ("matcher", "semi_global"): SEMI_GLOBAL,
     ("matcher", "left_right"): {"matcher": SEMI_GLOBAL},
     ("matcher", "pyramid"): {"matcher": SEMI_GLOBAL},
+    ("pointing", "ground_control"): {"points": "points.csv"},
     ("cost", "weighted_sum"): {"costs": ["census"], "weights": [1]},
 }
 # One number for each of the costs, one of them above 0: a schema cannot say that.
