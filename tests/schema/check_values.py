@@ -19,31 +19,62 @@ program = sys.argv[1]
 schema = json.loads(subprocess.run([program, "schema"], check=True, capture_output=True).stdout)
 validator = jsonschema.Draft7Validator(schema)
 
-SEMI_GLOBAL = {"type": "semi_global", "cost": "census", "penalty": "constant", "aggregation": "sgm"}
-# What a plugin cannot be without: stages, and lists whose lengths depend on each other.
-NEEDED = {
-    ("matcher", "semi_global"): SEMI_GLOBAL,
-    ("matcher", "left_right"): {"matcher": SEMI_GLOBAL},
-    ("matcher", "pyramid"): {"matcher": SEMI_GLOBAL},
-    ("cost", "weighted_sum"): {"costs": ["census"], "weights": [1]},
-}
+families = {family["properties"]["type"]["const"]: family for family in schema.get("anyOf", [schema])}
+plugins = {kind: {entry["properties"]["type"]["const"]: entry for entry in definition["anyOf"]
+                  if "properties" in entry}
+           for kind, definition in schema["definitions"].items()}
+plugins["pipeline"] = families
+
+# It matches single views and takes a range per pixel: it may stand wherever a matcher may.
+PREFERRED = {"matcher": "semi_global"}
+# What a plugin cannot be without beside stages: lists whose lengths depend on each other.
+NEEDED = {"weighted_sum": {"costs": ["census"], "weights": [1]}}
 # One number for each of the costs, one of them above 0: a schema cannot say that.
 RELATED = {("weighted_sum", "weights")}
 
 
+def kind_of(field):
+    """Kind of the stages that a field holds; None if it holds none."""
+    for reference in [field, field.get("items", {}), *field.get("anyOf", [])]:
+        if "$ref" in reference:
+            return reference["$ref"].rsplit("/", 1)[1]
+    return None
+
+
+def minimal(kind, plugin=None):
+    """A stage of this kind with what it cannot be without."""
+    if plugin is None:
+        plugin = PREFERRED.get(kind) or min(
+            plugins[kind], key=lambda name: len(plugins[kind][name]["required"]))
+    entry = plugins[kind][plugin]
+    stages = {name: minimal(kind_of(entry["properties"][name]))
+              for name in entry["required"] if name != "type"}
+    return {"type": plugin, **stages, **NEEDED.get(plugin, {})}
+
+
+def ways():
+    """For each kind, the shortest way to it from the top of a pipeline: (kind, plugin, field), ..."""
+    found = {"pipeline": ()}
+    waiting = ["pipeline"]
+    for outer in waiting:
+        for plugin, entry in plugins[outer].items():
+            for name, field in entry["properties"].items():
+                kind = kind_of(field)
+                if kind is not None and kind not in found:
+                    found[kind] = (*found[outer], (outer, plugin, name))
+                    waiting.append(kind)
+    return found
+
+
+WAYS = ways()
+
+
 def pipeline_with(kind, stage):
     """A pipeline that has this stage."""
-    if kind == "pipeline":
-        return {"matcher": SEMI_GLOBAL, **{k: v for k, v in stage.items() if k != "type"}}
-    if kind in ("filter", "preprocess"):
-        return {"matcher": SEMI_GLOBAL, {"filter": "postprocess"}.get(kind, kind): [stage]}
-    if kind == "matcher":
-        return {"matcher": stage}
-    if kind == "consistency":
-        return {"matcher": {"type": "left_right", "matcher": SEMI_GLOBAL, kind: stage}}
-    if kind == "search_range":
-        return {"matcher": {"type": "pyramid", "matcher": SEMI_GLOBAL, kind: stage}}
-    return {"matcher": {**SEMI_GLOBAL, kind: stage}}
+    for outer, plugin, name in reversed(WAYS[kind]):
+        is_list = "items" in plugins[outer][plugin]["properties"][name]
+        stage = {**minimal(outer, plugin), name: [stage] if is_list else stage}
+    return stage
 
 
 def numbers(field):
@@ -74,13 +105,10 @@ def candidates(field):
 
 def parameters():
     """Kind, plugin, its value fields."""
-    top = {k: v for k, v in schema["properties"].items() if k not in ("type", "xgm")}
-    plugins = [("pipeline", "stereo", top)]
-    for kind, definition in schema["definitions"].items():
-        plugins += [(kind, entry["properties"]["type"]["const"], entry["properties"])
-                    for entry in definition["anyOf"] if "properties" in entry]
-    for kind, plugin, fields in plugins:
-        yield kind, plugin, {name: field for name, field in fields.items() if "default" in field}
+    for kind in WAYS:
+        for plugin, entry in plugins[kind].items():
+            yield kind, plugin, {name: field for name, field in entry["properties"].items()
+                                 if "default" in field and name != "xgm"}
 
 
 def accepted(stages):
@@ -113,7 +141,7 @@ def with_others(fields, name):
 
 cases = []
 for kind, plugin, fields in parameters():
-    base = {**NEEDED.get((kind, plugin), {}), "type": plugin}
+    base = minimal(kind, plugin)
     for name, field in fields.items():
         if (plugin, name) in RELATED:
             continue
