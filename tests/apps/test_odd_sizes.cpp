@@ -28,7 +28,7 @@ struct Desk : TemporaryFolder {
   Outcome run(const std::string& arguments) const {
     return pipeline(path(), "run " + arguments +
                                 " --left left.png --right right.png --disparities 0:3 --report "
-                                "--threads 2 --log-level error -o out");
+                                "--threads 1 --log-level error -o out");
   }
   nlohmann::json record() const { return nlohmann::json::parse(read_file(*this / "out/run.json")); }
 };

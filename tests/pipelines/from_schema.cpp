@@ -25,7 +25,15 @@ bool holds_matcher(const Json& plugin) {
 
 }  // namespace
 
-std::string PipelineGenerator::next() { return fields_of(schema_, 0).dump(); }
+PipelineGenerator::PipelineGenerator(const std::string& schema, std::uint64_t seed)
+    : schema_(Json::parse(schema)), family_(schema_), random_(seed) {
+  if (!schema_.contains("anyOf")) return;  // there is no other family
+  for (const Json& family : schema_["anyOf"]) {
+    if (family["properties"]["type"]["const"] == "stereo") family_ = family;
+  }
+}
+
+std::string PipelineGenerator::next() { return fields_of(family_, 0).dump(); }
 
 Json PipelineGenerator::fields_of(const Json& schema, int depth) {
   Json fields = Json::object();

@@ -9,12 +9,11 @@
 
 namespace xgm::testing {
 
-/// Every stage and parameter of the schema is chosen sooner or later, with the default, the ends of
-/// its range, or anything between.
+/// Stereo pipelines: every stage and parameter of the schema is chosen sooner or later, with the
+/// default, the ends of its range, or anything between.
 class PipelineGenerator {
  public:
-  PipelineGenerator(const std::string& schema, std::uint64_t seed)
-      : schema_(nlohmann::json::parse(schema)), random_(seed) {}
+  PipelineGenerator(const std::string& schema, std::uint64_t seed);
 
   /// The text of a file; relations between parameters may be broken.
   std::string next();
@@ -29,7 +28,7 @@ class PipelineGenerator {
   Json number_of(const Json& field);
   Json list_of(const Json& field, int depth);
 
-  Json schema_;
+  Json schema_, family_;
   Random random_;
 };
 
