@@ -38,7 +38,7 @@ class DemSculpting final : public RangePrior {
     double upper = 0.5;
     double lower = 0.15;
     double margin = 15;
-    int step = 32;
+    int step = 8;
   };
 
   static void describe(Parameters& p, ParameterSet& set) {
