@@ -119,7 +119,8 @@ TEST_CASE("windows of odd sizes, of single pixels and flat ground are rectified"
 }
 
 TEST_CASE("what cannot be rectified is refused with the image and a remedy") {
-  const auto [base, match] = xgm::testing::curved_pair();
+  const auto [first, second] = xgm::testing::curved_pair();
+  const SatelliteImage &base = first, &match = second;  // clang 14 captures no bindings
   for (const char* rectifier : {"affine", "piecewise"}) {
     const auto message = [&](const cv::Rect& window, const HeightInterval& heights,
                              const SatelliteImage& other) {

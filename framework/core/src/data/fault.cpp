@@ -87,8 +87,9 @@ std::optional<Fault> fault_of(const DisparityMap& map, const MapBounds& bounds) 
   const PixelRules rules(bounds);
   const auto pixel = first_pixel(bounds.size, [&](int y) {
     return [&rules, disparity = map.disparity[y], status = map.status[y]](int x) {
-      return rules.is_no_status(status[x]) | rules.disagrees(disparity[x], status[x]) |
-             rules.is_outside(disparity[x], status[x]);
+      // As numbers: all are looked at, without a branch.
+      return (int{rules.is_no_status(status[x])} | int{rules.disagrees(disparity[x], status[x])} |
+              int{rules.is_outside(disparity[x], status[x])}) != 0;
     };
   });
   if (!pixel) return std::nullopt;

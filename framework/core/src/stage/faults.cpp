@@ -135,8 +135,8 @@ MaybeFault Selection::fault_of(const DisparityMap& result, const AggregatedVolum
         [slices = &shape.slice(y, 0), d = result.disparity[y], status = result.status[y]](int x) {
           const auto begin = static_cast<float>(slices[x].begin);
           const auto end = static_cast<float>(slices[x].begin + slices[x].count);
-          const bool outside = static_cast<bool>((d[x] < begin) | (d[x] >= end));
-          return static_cast<bool>(has_disparity_at(status, x) & (outside | !is_whole(d[x])));
+          const int outside = int{d[x] < begin} | int{d[x] >= end};
+          return (int{has_disparity_at(status, x)} & (outside | int{!is_whole(d[x])})) != 0;
         };
   });
 }
