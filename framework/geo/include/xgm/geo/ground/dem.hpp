@@ -31,7 +31,8 @@ class XGM_API Dem final : public HeightField {
 };
 
 /// `file` is a raster, or "FILE,DATUM" with a vertical datum of with_heights() in place of what the
-/// file says; a surface of ours says it as "vertical_datum". Throws UsageError if neither says what the heights are counted from.
+/// file says; a surface of ours says it as "vertical_datum". Throws UsageError if neither says what
+/// the heights are counted from.
 XGM_API std::shared_ptr<const Dem> read_dem(const std::string& file);
 /// The file's name without a datum.
 XGM_API std::string dem_file(const std::string& file);
