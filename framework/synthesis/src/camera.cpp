@@ -5,9 +5,9 @@
 #include <array>
 #include <cmath>
 
-#include "xgm/synthesis/arithmetic.hpp"
 #include "xgm/base/parallel.hpp"
 #include "xgm/base/random.hpp"
+#include "xgm/synthesis/arithmetic.hpp"
 
 namespace xgm::synthesis {
 namespace {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "xgm/synthesis/arithmetic.hpp"
 #include "render.hpp"
 #include "xgm/base/parallel.hpp"
+#include "xgm/synthesis/arithmetic.hpp"
 
 namespace xgm::synthesis {
 namespace {

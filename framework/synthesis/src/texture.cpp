@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "xgm/synthesis/arithmetic.hpp"
 #include "surface.hpp"
 #include "xgm/base/random.hpp"
+#include "xgm/synthesis/arithmetic.hpp"
 
 namespace xgm::synthesis {
 namespace {

@@ -90,7 +90,7 @@ TEST_CASE("the maximum of memory is costs and sums of one view, and grows with t
   CHECK(few.peak_stage.starts_with("matcher.reverse.matcher."));
   CHECK_FALSE(few.estimated);
   CHECK(few.peak_bytes > 3 * 64e6 + 24e6);  // the images, too
-#ifndef XGM_SANITIZED  // sanitizers need memory of their own
+#ifndef XGM_SANITIZED                       // sanitizers need memory of their own
   CHECK(few.peak_bytes < 1.3 * (3 * 64e6 + 60e6));
 #endif
   CHECK(many.peak_bytes - few.peak_bytes > 0.99 * 3 * 64e6);

@@ -107,15 +107,17 @@ SatelliteScene make_satellite_scene(const SatelliteSceneSpec& spec) {
   const MapFrame frame(spec.longitude, spec.latitude);
   const Extent extent = ground_extent(spec, cameras, frame);
   const Landscape land = make_landscape(spec, extent.place, extent.size);
-  SatelliteScene scene{
-      .spec = spec,
-      .ground = cameras.ground,
-      .views = cameras.views,
-      .surface = {land.heights, land.place, frame.crs(), {{"vertical_datum", std::string(kEllipsoidalHeights)}}},
-      .dem = coarse_dem(spec, land, frame),
-      .images = {},
-      .heights = {},
-      .visible = {}};
+  SatelliteScene scene{.spec = spec,
+                       .ground = cameras.ground,
+                       .views = cameras.views,
+                       .surface = {land.heights,
+                                   land.place,
+                                   frame.crs(),
+                                   {{"vertical_datum", std::string(kEllipsoidalHeights)}}},
+                       .dem = coarse_dem(spec, land, frame),
+                       .images = {},
+                       .heights = {},
+                       .visible = {}};
   const HeightGrid grid(land.heights, land.place);
   const HeightInterval around{cameras.ground.min - 1, cameras.ground.max + 1};
   for (std::size_t i = 0; i < scene.views.size(); ++i) {
