@@ -25,6 +25,7 @@ class SurfacePipeline final : public SurfaceFamily {
     Slot<Rectifier> rectification;
     Slot<RangePrior> range_prior;
     Slot<StereoFamily> matching;
+    SlotList<Filter> filters;
     Slot<Triangulation> triangulation;
     Slot<Surface> surface;
     Slot<Fusion> fusion;
@@ -39,6 +40,8 @@ class SurfacePipeline final : public SurfaceFamily {
         .default_stage("affine");
     set.add("range_prior", p.range_prior, "Bounds the search.").default_stage("auto");
     set.add("matching", p.matching, "The stereo pipeline that finds disparities.");
+    set.add("filters", p.filters,
+            "What is done to the disparities before triangulation, in order.");
     set.add("triangulation", p.triangulation, "Makes points of disparities.").default_stage("rays");
     set.add("surface", p.surface, "Makes a grid of points.").default_stage("median");
     set.add("fusion", p.fusion, "Makes one surface of those of the pairs.").default_stage("median");
@@ -119,8 +122,11 @@ class SurfacePipeline final : public SurfaceFamily {
     DisparityRange range = p_.range_prior(context, pair, dem);
     MatchRequest matching{resample(pair, base_scale, match_scale), std::move(range), {}};
     if (matching.range.hull().empty()) return;
-    const MatchResult matched = p_.matching(context, matching);
-    const PointGrid points = p_.triangulation(context, pair, matched.forward);
+    DisparityMap disparities = p_.matching(context, matching).forward;
+    for (const auto& filter : p_.filters) {
+      disparities = filter(context, disparities, matching.pair);
+    }
+    const PointGrid points = p_.triangulation(context, pair, disparities);
     append(cloud, points, matching.pair.base.planes.front(), *pair.geometry, window);
   }
 
