@@ -12,7 +12,7 @@ namespace {
 cv::Mat1f grey(const Image& image) {
   cv::Mat1f sum = image.planes.front().clone();
   for (std::size_t k = 1; k < image.planes.size(); ++k) sum += image.planes[k];
-  return sum / static_cast<double>(image.planes.size());
+  return cv::Mat1f(sum / static_cast<double>(image.planes.size()));
 }
 
 struct Sample {
