@@ -9,7 +9,7 @@ namespace {
 
 /// What applications handle: data, files, pipelines, what is made of runs, and generated scenes.
 bool is_open(const std::string& header) {
-  static const std::set<std::string> rooms{"evaluation", "geo", "synthesis"};
+  static const std::set<std::string> rooms{"evaluation", "geo", "synthesis", "tiles"};
   static const std::set<std::string> core_folders{"base", "data", "io", "pipeline"};
   static const std::set<std::string> single{"xgm/config/diagnostics.hpp", "xgm/plugin/registry.hpp",
                                             "xgm/plugin/version.hpp", "xgm/stage/context.hpp",

@@ -10,6 +10,7 @@ const std::map<std::string, std::set<std::string>>& rooms() {
   static const std::map<std::string, std::set<std::string>> below{
       {"core", {}},
       {"synthesis", {"core"}},
+      {"tiles", {"core"}},
       {"evaluation", {"core"}},
       {"testing", {"core", "synthesis"}},
       {"geo", {"core", "evaluation", "synthesis"}},

@@ -12,7 +12,9 @@
 #include "terminal/observer.hpp"
 #include "terminal/stop_on_signal.hpp"
 #include "xgm/base/memory.hpp"
+#include "xgm/base/scalar.hpp"
 #include "xgm/evaluation/recorded_run.hpp"
+#include "xgm/tiles/in_tiles.hpp"
 
 namespace xgm::cli {
 namespace {
@@ -24,6 +26,27 @@ RecordRequest record_request(const RunCommandOptions& options) {
           .report = options.report,
           .explained = parse_explain(options.explain),
           .depth = {options.cloud, options.depth}};
+}
+
+/// In tiles, if that is asked for.
+MatchPair matching(const RunCommandOptions& options, const Pipeline& pipeline) {
+  const std::string& text = options.tiles;
+  if (text.empty()) return {};
+  if (!options.dump.empty() || !options.explain.empty()) {
+    throw UsageError(
+        "--tiles: the results of stages are not kept; leave out --dump and --explain, or "
+        "match a part of the images as a whole");
+  }
+  if (text == "auto") return tiles::in_tiles(pipeline, std::nullopt);
+  const std::size_t by = text.find('x');
+  const auto width = to_number<int>(text.substr(0, by));
+  const auto height = by == std::string::npos ? width : to_number<int>(text.substr(by + 1));
+  constexpr int kSmallest = 64;
+  if (!width || !height || *width < kSmallest || *height < kSmallest) {
+    throw UsageError("--tiles " + text + ": write auto, or WIDTHxHEIGHT in px, each at least " +
+                     std::to_string(kSmallest) + ", for example 2000x2000");
+  }
+  return tiles::in_tiles(pipeline, cv::Size(*width, *height));
 }
 
 int run_checked(const Pipeline& pipeline, const SceneRequest& scene, const RecordRequest& request,
@@ -56,6 +79,7 @@ int run(const RunCommandOptions& options, const std::vector<std::string>& comman
       return run_surface(*pipeline, registry, options, command_line, run, progress);
     }
     const SceneRequest scene = scene_request(options, registry);
+    request.match = matching(options, *pipeline);
     request.inputs = files_beside_scene(registry, options.scene, options.dataset);
     return run_checked(*pipeline, scene, request, run, progress);
   } catch (const Cancelled&) {

@@ -72,6 +72,11 @@ void add_run_options(Command command, RunCommandOptions& options) {
       .show_default();
   add_matching(command, options);
   add_memory_limit_option(command, options.memory_limit);
+  command
+      .option("--tiles", options.tiles,
+              "Match in tiles, which bounds the memory: of this size in px, or of one that fits "
+              "--memory-limit, else what is free")
+      .type_name("auto|WIDTHxHEIGHT");
   add_insights(command, options);
   add_truth(command, options);
   command.flag("--report", options.report,

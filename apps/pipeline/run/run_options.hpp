@@ -13,6 +13,7 @@ struct RunCommandOptions : SceneOptions {
   std::string output = "xgm_output";
   std::string dump;
   bool report = false;
+  std::string tiles;  ///< "auto" or "WIDTHxHEIGHT"; empty: as one
   std::string cloud;
   std::string depth;
   std::vector<std::string> explain;  ///< "X,Y" or "every=N"

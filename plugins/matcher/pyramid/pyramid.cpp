@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <string>
 
-#include "plugins/matcher/pyramid/halve.hpp"
 #include "plugins/matcher/pyramid/keep_within.hpp"
+#include "xgm/data/halve.hpp"
 #include "xgm/plugin.hpp"
 
 namespace {
@@ -40,17 +40,19 @@ class Pyramid final : public xgm::Matcher {
   explicit Pyramid(Parameters parameters) : parameters_(std::move(parameters)) {}
 
   bool accepts_range_maps() const override { return parameters_.matcher->accepts_range_maps(); }
+  int coarsest_scale() const override { return parameters_.scale; }
   bool gives_reverse_map() const override { return parameters_.matcher->gives_reverse_map(); }
 
   xgm::MatchResult run(const xgm::MatchRequest& request,
                        const xgm::Context& context) const override {
-    int scale = 1;
-    std::vector<xgm::MatchRequest> levels{request};  // finest first
-    for (; scale < parameters_.scale; scale *= 2) {
-      levels.push_back(xgm::pyramid::halve(levels.back()));
-    }
+    const xgm::ScenePart part = request.part.value_or(xgm::ScenePart{});
+    const int coarsest = part.coarse ? part.coarse_scale / 2 : parameters_.scale;
+    int scale = part.scale;
+    std::vector<xgm::MatchRequest> levels{{request.pair, request.range, request.reverse_range}};
+    for (; scale < coarsest; scale *= 2) levels.push_back(xgm::halve(levels.back()));
+    if (part.coarse) narrow(levels.back(), *part.coarse, level(context, scale));
     xgm::MatchResult result = parameters_.matcher(level(context, scale), levels.back());
-    while (scale > 1) {
+    while (scale > part.scale) {
       scale /= 2;
       levels.pop_back();
       const xgm::Context here = level(context, scale);

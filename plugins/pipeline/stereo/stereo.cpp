@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The top of a stereo pipeline's file: preprocess, matcher, postprocess.
+#include "plugins/pipeline/stereo/prepared_parts.hpp"
 #include "xgm/base/aligned_buffer.hpp"
 #include "xgm/base/memory.hpp"
 #include "xgm/plugin.hpp"
@@ -46,8 +47,9 @@ class Stereo final : public xgm::StereoFamily {
   xgm::MatchResult run(const xgm::MatchRequest& request,
                        const xgm::Context& context) const override {
     xgm::MatchRequest prepared = request;
-    prepared.pair = preprocess(request.pair, context.part(0, 0.03));
+    if (!request.part) prepared.pair = preprocess(request.pair, context.part(0, 0.03));
     xgm::MatchResult result = match(prepared, context.part(0.03, 0.95));
+    if (request.part && request.part->scale > 1) return result;
     const xgm::Context rest = context.part(0.95, 1);
     for (const auto& stage : stages_.postprocess) {
       result.forward = stage(rest, result.forward, prepared.pair);
@@ -55,6 +57,17 @@ class Stereo final : public xgm::StereoFamily {
       result.reverse = stage(rest.other_view(), *result.reverse, prepared.pair.swapped());
     }
     return result;
+  }
+
+  int coarsest_scale() const override { return stages_.matcher->coarsest_scale(); }
+
+  std::shared_ptr<const xgm::PairWindows> prepared(std::shared_ptr<const xgm::PairWindows> scene,
+                                                   const xgm::Context& context) const override {
+    const HeapTrimmed trimmed;
+    for (const auto& stage : stages_.preprocess) {
+      scene = xgm::stereo::prepared(std::move(scene), stage.stage(), context.scope("preprocess"));
+    }
+    return scene;
   }
 
  private:

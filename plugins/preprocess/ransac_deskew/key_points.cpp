@@ -44,19 +44,29 @@ View prepare(const Image& image) {
   return view;
 }
 
-cv::Rect with_margin(const cv::Rect& tile, cv::Size image) {
-  return cv::Rect(tile.x - kTileMargin, tile.y - kTileMargin, tile.width + 2 * kTileMargin,
-                  tile.height + 2 * kTileMargin) &
+cv::Rect with_margin(const cv::Rect& tile, int margin, cv::Size image) {
+  return cv::Rect(tile.x - margin, tile.y - margin, tile.width + 2 * margin,
+                  tile.height + 2 * margin) &
          cv::Rect({0, 0}, image);
 }
 
+/// The view of one image in `seen`, as it is in that of the whole image.
+View view_of(const PairWindows& pair, bool of_match, const cv::Rect& seen) {
+  const cv::Rect read = with_margin(seen, kMaskMargin, pair.size());
+  const ImagePair part = pair.read(read);
+  const View view = prepare(of_match ? part.match : part.base);
+  const cv::Rect inside(seen.tl() - read.tl(), seen.size());
+  return {view.grey(inside), view.usable(inside)};
+}
+
 /// The key points that lie in `tile` itself, seen with a margin around it.
-KeyPoints detect_in_tile(const View& view, const cv::Rect& tile, int count) {
-  const cv::Rect seen = with_margin(tile, view.grey.size());
+KeyPoints detect_in_tile(const PairWindows& pair, bool of_match, const cv::Rect& tile, int count) {
+  const cv::Rect seen = with_margin(tile, kTileMargin, pair.size());
+  const View view = view_of(pair, of_match, seen);
   std::vector<cv::KeyPoint> points;
   cv::Mat1f descriptors;
   const auto sift = cv::SIFT::create(count, 3, kContrast);
-  sift->detectAndCompute(view.grey(seen), view.usable(seen), points, descriptors);
+  sift->detectAndCompute(view.grey, view.usable, points, descriptors);
   KeyPoints found;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const cv::Point2f at = points[i].pt + cv::Point2f(seen.tl());
@@ -80,16 +90,14 @@ std::vector<cv::Rect> tiles_of(cv::Size size) {
 }
 
 /// Key points of both views, tile by tile.
-std::array<KeyPoints, 2> detect(const ImagePair& pair, int count) {
+std::array<KeyPoints, 2> detect(const PairWindows& pair, int count) {
   const std::vector<cv::Rect> tiles = tiles_of(pair.size());
   const int each = static_cast<int>(tiles.size());
-  std::array<View, 2> views;
-  parallel_for(0, 2, [&](int i) { views[i != 0] = prepare(i == 0 ? pair.base : pair.match); });
   std::vector<KeyPoints> parts(2 * tiles.size());
   const ThreadLimit memory_limit(std::min(thread_count(), kTilesAtOnce));
   parallel_for(0, 2 * each, [&](int i) {
     parts[static_cast<std::size_t>(i)] = detect_in_tile(
-        views[i >= each], tiles[static_cast<std::size_t>(i % each)], std::max(1, count / each));
+        pair, i >= each, tiles[static_cast<std::size_t>(i % each)], std::max(1, count / each));
   });
   std::array<KeyPoints, 2> found;
   for (std::size_t i = 0; i < parts.size(); ++i) found[i >= tiles.size()].add(parts[i]);
@@ -98,7 +106,7 @@ std::array<KeyPoints, 2> detect(const ImagePair& pair, int count) {
 
 }  // namespace
 
-std::vector<Correspondence> match_key_points(const ImagePair& pair,
+std::vector<Correspondence> match_key_points(const PairWindows& pair,
                                              const KeyPointOptions& options) {
   const cv::Size size = pair.size();
   if (std::min(size.width, size.height) < kSmallest) return {};
@@ -120,10 +128,10 @@ double key_point_bytes(cv::Size size, int threads) {
   const std::vector<cv::Rect> tiles = tiles_of(size);
   double largest = 0;
   for (const cv::Rect& tile : tiles) {
-    largest = std::max(largest, double(with_margin(tile, size).area()));
+    largest = std::max(largest, double(with_margin(tile, kTileMargin, size).area()));
   }
   const int at_once = std::min({threads, kTilesAtOnce, 2 * static_cast<int>(tiles.size())});
-  return 2 * kViewBytesPerPixel * size.area() + at_once * kSiftBytesPerPixel * largest;
+  return at_once * (kViewBytesPerPixel + kSiftBytesPerPixel) * largest;
 }
 
 }  // namespace xgm::ransac_deskew

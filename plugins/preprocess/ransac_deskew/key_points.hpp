@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "plugins/preprocess/ransac_deskew/row_model.hpp"
-#include "xgm/data/image.hpp"
+#include "xgm/data/pair_windows.hpp"
 
 namespace xgm::ransac_deskew {
 
@@ -18,7 +18,8 @@ struct KeyPointOptions {
 /// Lowe: Distinctive image features from scale-invariant keypoints (IJCV 2004): SIFT key points
 /// that choose each other and pass the ratio test, rows at most max_dy apart. Pixels without data
 /// and their surroundings are not looked at.
-std::vector<Correspondence> match_key_points(const ImagePair& pair, const KeyPointOptions& options);
+std::vector<Correspondence> match_key_points(const PairWindows& pair,
+                                             const KeyPointOptions& options);
 
 /// Memory that it takes, at most at one time.
 double key_point_bytes(cv::Size size, int threads);

@@ -45,6 +45,31 @@ std::string pixels(double value) {
   return text;
 }
 
+/// Largest |dy| of the model in the image: it is linear, so a corner has it.
+double largest_shift(const RowModel& model, cv::Size size) {
+  const double right = size.width - 1, bottom = size.height - 1;
+  return std::max({std::abs(model.at(0, 0)), std::abs(model.at(right, 0)),
+                   std::abs(model.at(0, bottom)), std::abs(model.at(right, bottom))});
+}
+
+/// Moves rows of parts by the model of the whole scene.
+class DeskewOfParts final : public xgm::PartPreprocess {
+ public:
+  DeskewOfParts(std::optional<RowModel> model, cv::Size scene)
+      : model_(model), margin_(model ? cvCeil(largest_shift(*model, scene)) + kCubicRows : 0) {}
+
+  int margin() const override { return margin_; }
+  xgm::ImagePair run(const xgm::ImagePair& part, cv::Point origin) const override {
+    if (!model_) return part;
+    return {part.base, warp_rows(part.match, *model_, origin), part.is_reverse};
+  }
+
+ private:
+  static constexpr int kCubicRows = 2;
+  std::optional<RowModel> model_;
+  int margin_;
+};
+
 class RansacDeskew final : public xgm::Preprocess, public xgm::StatesNeeds {
  public:
   struct Parameters {
@@ -86,29 +111,14 @@ class RansacDeskew final : public xgm::Preprocess, public xgm::StatesNeeds {
   explicit RansacDeskew(const Parameters& parameters) : p_(parameters) {}
 
   xgm::ImagePair run(const xgm::ImagePair& pair, const xgm::Context& context) const override {
-    const auto matches = match_key_points(pair, {p_.key_points, p_.ratio, p_.max_dy});
-    context.figure("matches", static_cast<double>(matches.size()));
-    if (matches.size() < enough()) return leave_unmatched(pair, matches.size(), context);
+    const auto model = find_model(xgm::PairInMemory(pair), context);
+    if (!model) return pair;
+    return {pair.base, warp_rows(pair.match, *model), pair.is_reverse};
+  }
 
-    auto agreeing =
-        consensus(matches, {p_.iterations, p_.threshold, static_cast<std::uint64_t>(p_.seed)});
-    agreeing = inliers(matches, fit(agreeing), p_.threshold);
-    context.figure("inliers", static_cast<double>(agreeing.size()));
-    if (agreeing.size() < enough()) return leave_unmatched(pair, agreeing.size(), context);
-
-    const RowModel model = fit(agreeing);
-    const double shift = typical_shift(model, pair.size());
-    const bool correct = shift >= p_.min_correction;
-    report(model, agreeing, correct, context);
-    if (!correct) {
-      context.info("rows align already (typical shift " + pixels(shift) + " by " +
-                   std::to_string(agreeing.size()) + " matches): the pair is left as it is");
-      return pair;
-    }
-    context.info("rows of the match image are moved by " + pixels(shift) + " (median; " +
-                 std::to_string(agreeing.size()) + " of " + std::to_string(matches.size()) +
-                 " matches agree)");
-    return {pair.base, warp_rows(pair.match, model), pair.is_reverse};
+  std::shared_ptr<const xgm::PartPreprocess> fitted(const xgm::PairWindows& scene,
+                                                    const xgm::Context& context) const override {
+    return std::make_shared<DeskewOfParts>(find_model(scene, context), scene.size());
   }
 
   /// The base image stays as it is; the match image is warped, and gets a mask, when all that the
@@ -122,11 +132,38 @@ class RansacDeskew final : public xgm::Preprocess, public xgm::StatesNeeds {
  private:
   std::size_t enough() const { return static_cast<std::size_t>(p_.min_matches); }
 
-  xgm::ImagePair leave_unmatched(const xgm::ImagePair& pair, std::size_t count,
-                                 const xgm::Context& context) const {
+  /// How rows of the match image are to be moved; none if the pair is to be left as it is.
+  std::optional<RowModel> find_model(const xgm::PairWindows& pair,
+                                     const xgm::Context& context) const {
+    const auto matches = match_key_points(pair, {p_.key_points, p_.ratio, p_.max_dy});
+    context.figure("matches", static_cast<double>(matches.size()));
+    if (matches.size() < enough()) return leave_unmatched(matches.size(), context);
+
+    auto agreeing =
+        consensus(matches, {p_.iterations, p_.threshold, static_cast<std::uint64_t>(p_.seed)});
+    agreeing = inliers(matches, fit(agreeing), p_.threshold);
+    context.figure("inliers", static_cast<double>(agreeing.size()));
+    if (agreeing.size() < enough()) return leave_unmatched(agreeing.size(), context);
+
+    const RowModel model = fit(agreeing);
+    const double shift = typical_shift(model, pair.size());
+    const bool correct = shift >= p_.min_correction;
+    report(model, agreeing, correct, context);
+    if (!correct) {
+      context.info("rows align already (typical shift " + pixels(shift) + " by " +
+                   std::to_string(agreeing.size()) + " matches): the pair is left as it is");
+      return std::nullopt;
+    }
+    context.info("rows of the match image are moved by " + pixels(shift) + " (median; " +
+                 std::to_string(agreeing.size()) + " of " + std::to_string(matches.size()) +
+                 " matches agree)");
+    return model;
+  }
+
+  std::optional<RowModel> leave_unmatched(std::size_t count, const xgm::Context& context) const {
     context.warn("only " + std::to_string(count) + " key points match, fewer than min_matches " +
                  std::to_string(p_.min_matches) + ": the pair is left as it is");
-    return pair;
+    return std::nullopt;
   }
 
   /// dy = a * x + b * y + c, and |dy| of the matches that agree with it.

@@ -36,7 +36,7 @@ std::vector<cv::Mat1f> clean_planes(const Image& image) {
 
 }  // namespace
 
-Image warp_rows(const Image& image, const RowModel& model) {
+Image warp_rows(const Image& image, const RowModel& model, cv::Point origin) {
   const cv::Size size = image.size();
   const std::vector<cv::Mat1f> planes = clean_planes(image);
   Image result;
@@ -48,10 +48,12 @@ Image warp_rows(const Image& image, const RowModel& model) {
     cv::Mat1f map_x(rows.size(), size.width), map_y(rows.size(), size.width);
     for (int y = rows.start; y < rows.end; ++y) {
       for (int x = 0; x < size.width; ++x) {
-        const double source = y + model.at(x, y);
+        const cv::Point place = cv::Point(x, y) + origin;
+        const double source = place.y + model.at(place.x, place.y);
         map_x(y - rows.start, x) = static_cast<float>(x);
-        map_y(y - rows.start, x) = static_cast<float>(source);
-        result.valid(y, x) = has_data(image, x, source) ? 255 : 0;
+        // Rounded before the origin is taken off, so that parts are warped as the whole is.
+        map_y(y - rows.start, x) = static_cast<float>(source) - static_cast<float>(origin.y);
+        result.valid(y, x) = has_data(image, x, source - origin.y) ? 255 : 0;
       }
     }
     for (std::size_t c = 0; c < planes.size(); ++c) {

@@ -8,7 +8,8 @@
 namespace xgm::ransac_deskew {
 
 /// The image whose pixel (x, y) is that at (x, y + dy(x, y)) of `image`, cubically interpolated.
-/// Masked where that lies outside, or where a pixel without data would take part.
-Image warp_rows(const Image& image, const RowModel& model);
+/// Masked where that lies outside, or where a pixel without data would take part. The model is
+/// about an image in which this one begins at `origin`.
+Image warp_rows(const Image& image, const RowModel& model, cv::Point origin = {});
 
 }  // namespace xgm::ransac_deskew

@@ -38,7 +38,8 @@ void guard(const Pipeline& pipeline, const MatchRequest& request, const SceneInp
 
 }  // namespace
 
-SceneRun match_scene(const Pipeline& pipeline, SceneInputs inputs, const RunOptions& options) {
+SceneRun match_scene(const Pipeline& pipeline, SceneInputs inputs, const RunOptions& options,
+                     const MatchPair& match) {
   std::vector<std::string> texts;
   Warnings warnings(texts);
   Observers observers;
@@ -46,11 +47,11 @@ SceneRun match_scene(const Pipeline& pipeline, SceneInputs inputs, const RunOpti
   if (options.observer != nullptr) observers.add(*options.observer);
   tell(inputs, observers);
   const MatchRequest request{inputs.scene.pair, inputs.range, {}};
-  guard(pipeline, request, inputs, options, observers);
+  if (!match) guard(pipeline, request, inputs, options, observers);
   RunOptions observed = options;
   observed.observer = &observers;
   const Stopwatch matching;
-  MatchResult maps = pipeline.run(request, observed);
+  MatchResult maps = match ? match(request, inputs, observed) : pipeline.run(request, observed);
   const double seconds = matching.seconds();
   return {.scene = std::move(inputs.scene),
           .disparities = inputs.range.hull(),

@@ -161,9 +161,9 @@ void write_files(RecordedRun& result, const RecordRequest& request, const Watche
 }
 
 SceneRun match(const Pipeline& pipeline, SceneInputs inputs, const RunOptions& options,
-               RunFolder& folder) {
+               const MatchPair& how, RunFolder& folder) {
   try {
-    return match_scene(pipeline, std::move(inputs), options);
+    return match_scene(pipeline, std::move(inputs), options, how);
   } catch (const Cancelled&) {
     folder.discard();
     throw;
@@ -186,7 +186,8 @@ RecordedRun record_scene(const Pipeline& pipeline, const SceneRequest& scene,
   RunOptions watched = options;
   watched.observer = &watchers.all;
   request.tell("matching");
-  RecordedRun result{match(pipeline, std::move(inputs), watched, folder), {}, depth, 0, {}};
+  RecordedRun result{
+      match(pipeline, std::move(inputs), watched, request.match, folder), {}, depth, 0, {}};
   request.tell("writing the results");
   RunRecord& record = result.record;
   record.pipeline_file = pipeline.file();

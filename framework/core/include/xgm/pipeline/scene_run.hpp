@@ -2,6 +2,7 @@
 // Runs a pipeline on a scene: from files or images in memory to maps.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,11 @@ struct SceneRun {
   double matching_seconds = 0;
 };
 
+/// Matches a pair otherwise than as a whole, within the memory limit of the inputs if there is one
+/// (bytes of the process).
+using MatchPair = std::function<MatchResult(const MatchRequest& request, const SceneInputs& inputs,
+                                            const RunOptions& options)>;
+
 /// Reads the scene and matches it. The observer, if there is one, is also told of notes and
 /// warnings that belong to no stage, with an empty path. Throws UsageError for what is wrong before
 /// any image is opened, or if the run would take more memory than the request allows; Error if the
@@ -30,8 +36,9 @@ struct SceneRun {
 XGM_API SceneRun run_scene(const Pipeline& pipeline, const SceneRequest& request,
                            const RunOptions& options = {});
 
-/// The second half of it, for callers that look at the images before.
+/// The second half of it, for callers that look at the images before. With `match`, that is called
+/// in place of pipeline.run().
 XGM_API SceneRun match_scene(const Pipeline& pipeline, SceneInputs inputs,
-                             const RunOptions& options = {});
+                             const RunOptions& options = {}, const MatchPair& match = {});
 
 }  // namespace xgm

@@ -24,6 +24,10 @@ class XGM_API Matcher : public Stage {
   /// a run that is given range maps.
   virtual bool accepts_range_maps() const { return true; }
 
+  /// How many times smaller than the images its coarsest level is; if above 1 it heeds the
+  /// request's ScenePart.
+  virtual int coarsest_scale() const { return 1; }
+
   /// Whether results hold the reverse map too. If so, left_right refuses this matcher: it would
   /// match four times.
   virtual bool gives_reverse_map() const { return false; }

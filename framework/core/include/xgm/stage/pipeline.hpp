@@ -3,9 +3,11 @@
 // family with `type`; without it, it is a stereo pipeline.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string_view>
 
+#include "xgm/data/pair_windows.hpp"
 #include "xgm/stage/context.hpp"
 #include "xgm/stage/stage.hpp"
 
@@ -34,6 +36,12 @@ class XGM_API StereoFamily : public PipelineFamily {
   /// The disparities that the file itself asks for, if it does.
   virtual std::optional<Interval> disparities() const = 0;
   virtual bool accepts_range_maps() const = 0;
+
+  /// For scenes that are matched in parts (ScenePart): how many times smaller than the images the
+  /// coarsest level is, and the scene as it is after what is done before matching.
+  virtual int coarsest_scale() const { return 1; }
+  virtual std::shared_ptr<const PairWindows> prepared(std::shared_ptr<const PairWindows> scene,
+                                                      const Context& context) const;
 };
 
 }  // namespace xgm

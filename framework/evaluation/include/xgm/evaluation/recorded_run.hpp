@@ -27,6 +27,8 @@ struct RecordRequest {
   /// Files that the program has read for this run beside those of the scene and the pipeline, such
   /// as plugin files. Like those they are never replaced.
   std::vector<NamedFile> inputs{};
+  /// In place of pipeline.run().
+  MatchPair match{};
   /// Told what is done now ("reading the images").
   std::function<void(const std::string&)> tell = [](const std::string&) {};
 };

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // 2x2 means of images, 2x2 hulls of ranges.
-#include "plugins/matcher/pyramid/halve.hpp"
+#include "xgm/data/halve.hpp"
 
 #include <algorithm>
 
 #include "xgm/base/parallel.hpp"
 
-namespace xgm::pyramid {
+namespace xgm {
 namespace {
 
 int half_up(int n) { return n / 2 + n % 2; }
@@ -99,4 +99,4 @@ MatchRequest halve(const MatchRequest& fine) {
   return coarse;
 }
 
-}  // namespace xgm::pyramid
+}  // namespace xgm
