@@ -21,7 +21,7 @@ std::string remedy(const RunTrace& trace, const PlanRequest& request, const RunP
            std::to_string(begin) + ":" + std::to_string(begin + fitting - 1) + "), ";
   }
   if (!plan.estimated) text += "take a pyramid pipeline (tmgm16), ";
-  return text + "or " + smaller;
+  return text + "match in tiles (pipeline run --tiles auto), or " + smaller;
 }
 
 std::string text_of(const Workload& load, const RunPlan& plan) {
