@@ -79,6 +79,12 @@ void add_eval_options(Command command, EvalOptions& options) {
   command.flag(
       "--surface", options.surface,
       "Compare heights (m): a surface of satellite images with --truth, LiDAR for example");
+  command
+      .option("--source", options.source,
+              "With --surface: source.tif of the run, for figures without the heights that a "
+              "filter has filled. Without it that of OUTPUT_DIR")
+      .type_name("FILE")
+      .existing_file();
   add_inputs(command, options);
   add_rules(command, options);
   command

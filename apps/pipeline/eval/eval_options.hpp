@@ -33,6 +33,7 @@ struct EvalOptions {
   std::string json;
   std::string csv;
   bool surface = false;
+  std::string source;  ///< of the surface's heights
 };
 
 void add_eval_options(Command command, EvalOptions& options);

@@ -53,9 +53,15 @@ void add_satellites(Command command, RunCommandOptions& options) {
   command
       .option("--area", options.area,
               "Part of the ground to be matched, degrees. Without it, what the first image of each "
-              "pair shows")
-      .type_name("WEST,SOUTH,EAST,NORTH")
-      .needs(images);
+              "pair shows, or all points of the clouds")
+      .type_name("WEST,SOUTH,EAST,NORTH");
+  command
+      .option("--clouds", options.satellite_clouds,
+              "In place of images: clouds of earlier runs (DIR/cloud.ply), which are made a "
+              "surface of again without matching")
+      .type_name("FILE.ply...")
+      .existing_file()
+      .excludes(images);
 }
 
 }  // namespace

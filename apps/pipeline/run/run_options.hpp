@@ -18,6 +18,7 @@ struct RunCommandOptions : SceneOptions {
   std::string depth;
   std::vector<std::string> explain;  ///< "X,Y" or "every=N"
   std::vector<std::string> satellite_images;
+  std::vector<std::string> satellite_clouds;
   std::vector<std::string> satellite_masks;
   std::string dem;
   std::string area;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "xgm/base/error.hpp"
 #include "xgm/geo/stage/range_prior.hpp"
 
 namespace xgm::geo {
@@ -19,16 +20,30 @@ struct Box {
   bool empty() const { return !(low.x <= high.x); }
 };
 
-/// Length of a pixel on the ground, m.
-double ground_pixel(const SatelliteImage& image) {
-  const cv::Point2d middle(image.size.width / 2.0, image.size.height / 2.0);
-  const double height = image.camera.model().height.offset;
-  const auto here = image.camera.localize(middle, height);
-  const auto right = image.camera.localize(middle + cv::Point2d(1, 0), height);
-  const auto below = image.camera.localize(middle + cv::Point2d(0, 1), height);
-  if (!here || !right || !below) throw Error(image.file + ": its camera sees no ground");
-  return (cv::norm(to_ecef(*right) - to_ecef(*here)) + cv::norm(to_ecef(*below) - to_ecef(*here))) /
-         2;
+Box box_of(const std::vector<PointCloud>& clouds) {
+  Box box;
+  for (const PointCloud& cloud : clouds) {
+    for (const cv::Vec3d& point : cloud.points) box.add({point[0], point[1]});
+  }
+  if (box.empty()) throw Error("no pixel of any pair has been matched: there is no surface");
+  return box;
+}
+
+/// Of an area in degrees, in the CRS. Its edges are curved there.
+Box box_of(const cv::Vec4d& area, const Crs& crs) {
+  constexpr int kSteps = 8;  // per edge
+  const CrsTransform to_grid("EPSG:4326", crs);
+  Box box;
+  for (int k = 0; k <= kSteps; ++k) {
+    const double x = area[0] + (area[2] - area[0]) * k / kSteps;
+    const double y = area[1] + (area[3] - area[1]) * k / kSteps;
+    for (const cv::Point2d p : {cv::Point2d(x, area[1]), cv::Point2d(x, area[3]),
+                                cv::Point2d(area[0], y), cv::Point2d(area[2], y)}) {
+      const cv::Vec3d place = to_grid.forward({p.x, p.y, 0});
+      box.add({place[0], place[1]});
+    }
+  }
+  return box;
 }
 
 }  // namespace
@@ -85,39 +100,38 @@ std::vector<cv::Rect> tiles(const cv::Rect& whole, int side) {
   return windows;
 }
 
-GridSpec choose_grid(const SurfaceRequest& request, const std::vector<Cloud>& clouds,
-                     double resolution) {
-  Box box;
-  if (request.area) {
-    box.add({(*request.area)[0], (*request.area)[1]});
-    box.add({(*request.area)[2], (*request.area)[3]});
-  } else {
-    for (const Cloud& cloud : clouds) {
-      for (const GeoPoint& point : cloud.points) box.add({point.longitude, point.latitude});
-    }
+double ground_pixel(const SatelliteImage& image) {
+  const cv::Point2d middle(image.size.width / 2.0, image.size.height / 2.0);
+  const double height = image.camera.model().height.offset;
+  const auto here = image.camera.localize(middle, height);
+  const auto right = image.camera.localize(middle + cv::Point2d(1, 0), height);
+  const auto below = image.camera.localize(middle + cv::Point2d(0, 1), height);
+  if (!here || !right || !below) throw Error(image.file + ": its camera sees no ground");
+  const double length =
+      (cv::norm(to_ecef(*right) - to_ecef(*here)) + cv::norm(to_ecef(*below) - to_ecef(*here))) / 2;
+  return std::max(0.05, std::round(length * 20) / 20);
+}
+
+Crs choose_crs(const std::optional<cv::Vec4d>& area, const std::vector<PointCloud>& clouds) {
+  const Box box = area ? Box{{(*area)[0], (*area)[1]}, {(*area)[2], (*area)[3]}} : box_of(clouds);
+  return utm_crs((box.low.x + box.high.x) / 2, (box.low.y + box.high.y) / 2);
+}
+
+GridSpec choose_grid(const std::optional<cv::Vec4d>& area, const Crs& crs,
+                     const std::vector<PointCloud>& clouds, double step) {
+  const Box box = area ? box_of(*area, crs) : box_of(clouds);
+  const double left = std::floor(box.low.x / step) * step;
+  const double top = std::ceil(box.high.y / step) * step;
+  // One more than the cells between the edges: points on the last edge have a cell, too.
+  const double columns = 1 + std::floor((box.high.x - left) / step);
+  const double rows = 1 + std::floor((top - box.low.y) / step);
+  constexpr double kMostCells = 1U << 31U;  // what is more is no surface but a mistake
+  if (columns * rows > kMostCells) {
+    throw Error("a surface of " + std::to_string(std::llround(columns)) + " x " +
+                std::to_string(std::llround(rows)) +
+                " cells is too large; name an area, or larger cells (resolution)");
   }
-  if (box.empty()) throw Error("no pixel of any pair has been matched: there is no surface");
-  const double step =
-      resolution > 0 ? resolution
-                     : std::max(0.05, std::round(ground_pixel(request.images.front()) * 20) / 20);
-  GridSpec grid;
-  grid.crs = utm_crs((box.low.x + box.high.x) / 2, (box.low.y + box.high.y) / 2);
-  const CrsTransform to_grid("EPSG:4326", grid.crs);
-  Box metres;
-  for (int k = 0; k <= 8; ++k) {
-    const double x = box.low.x + (box.high.x - box.low.x) * k / 8;
-    const double y = box.low.y + (box.high.y - box.low.y) * k / 8;
-    for (const cv::Point2d p : {cv::Point2d(x, box.low.y), cv::Point2d(x, box.high.y),
-                                cv::Point2d(box.low.x, y), cv::Point2d(box.high.x, y)}) {
-      const cv::Vec3d place = to_grid.forward({p.x, p.y, 0});
-      metres.add({place[0], place[1]});
-    }
-  }
-  grid.place = {std::floor(metres.low.x / step) * step, std::ceil(metres.high.y / step) * step,
-                step, -step};
-  grid.size = {static_cast<int>(std::ceil((metres.high.x - grid.place.left) / step)),
-               static_cast<int>(std::ceil((grid.place.top - metres.low.y) / step))};
-  return grid;
+  return {crs, {left, top, step, -step}, {static_cast<int>(columns), static_cast<int>(rows)}};
 }
 
 }  // namespace xgm::geo

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "plugins/pipeline/surface/cloud.hpp"
+#include "xgm/geo/image/point_cloud.hpp"
 #include "xgm/geo/stage/surface_family.hpp"
 
 namespace xgm::geo {
@@ -19,9 +19,16 @@ bool overlap(const SatelliteImage& base, const SatelliteImage& match);
 /// Windows of about the same size, none larger than `side`, that cover `whole`.
 std::vector<cv::Rect> tiles(const cv::Rect& whole, int side);
 
-/// UTM, with edges on multiples of the resolution; the requested area, or what the points cover.
+/// Length of a pixel on the ground, m, in steps of 5 cm.
+double ground_pixel(const SatelliteImage& image);
+
+/// The zone of UTM in the middle of the requested area, or of the points, which are in degrees.
 /// Throws Error if there is neither.
-GridSpec choose_grid(const SurfaceRequest& request, const std::vector<Cloud>& clouds,
-                     double resolution);
+Crs choose_crs(const std::optional<cv::Vec4d>& area, const std::vector<PointCloud>& clouds);
+
+/// Cells of `step` m with edges on multiples of it, for the requested area, or for all points,
+/// which are in the CRS. Throws Error if there is neither.
+GridSpec choose_grid(const std::optional<cv::Vec4d>& area, const Crs& crs,
+                     const std::vector<PointCloud>& clouds, double step);
 
 }  // namespace xgm::geo

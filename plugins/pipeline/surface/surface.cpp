@@ -5,6 +5,8 @@
 
 #include "plugins/pipeline/surface/cloud.hpp"
 #include "plugins/pipeline/surface/grid.hpp"
+#include "plugins/pipeline/surface/layers.hpp"
+#include "plugins/pipeline/surface/reasons.hpp"
 #include "xgm/geo/image/resample.hpp"
 #include "xgm/geo/stage/pointing.hpp"
 #include "xgm/geo/stage/range_prior.hpp"
@@ -65,15 +67,36 @@ class SurfacePipeline final : public SurfaceFamily {
         common_heights(request.images.front().camera, request.images.back().camera);
     result.images = p_.pointing(context.part(0.01, 0.15), request.images, result.pairs,
                                 GroundKnowledge{request.dem.get(), heights});
-    std::vector<Cloud> clouds;
+    std::vector<SeenPair> seen;
     for (std::size_t i = 0; i < result.pairs.size(); ++i) {
       const double n = static_cast<double>(result.pairs.size());
       const double begin = 0.15 + 0.7 * static_cast<double>(i) / n;
-      clouds.push_back(match_pair(request, result.images[result.pairs[i].base],
-                                  result.images[result.pairs[i].match],
-                                  context.part(begin, begin + 0.7 / n)));
+      seen.push_back(
+          {result.images[result.pairs[i].base], result.images[result.pairs[i].match], {}});
+      result.clouds.push_back(
+          match_pair(request, seen.back(), context.part(begin, begin + 0.7 / n)));
     }
-    make_surfaces(request, clouds, context.part(0.85, 1), result);
+    const Crs crs = choose_crs(request.area, result.clouds);
+    const CrsTransform to_grid("EPSG:4326", crs);
+    for (PointCloud& cloud : result.clouds) move_to_grid(cloud, to_grid);
+    const double step = p_.resolution > 0 ? p_.resolution : ground_pixel(request.images.front());
+    result.grid = choose_grid(request.area, crs, result.clouds, step);
+    make_surfaces(context.part(0.85, 1), result);
+    result.reasons = explain_cells(result.grid, result.fused.heights.values, result.surfaces, seen);
+    return result;
+  }
+
+  SurfaceResult rasterise(CloudRequest request, const Context& context) const override {
+    if (request.clouds.pairs.empty()) throw UsageError("the clouds hold no points");
+    const double step = p_.resolution > 0 ? p_.resolution : request.clouds.resolution;
+    if (step <= 0) {
+      throw UsageError(
+          "the clouds do not say the resolution of a surface; set it: --set resolution=0.5");
+    }
+    SurfaceResult result;
+    result.clouds = std::move(request.clouds.pairs);
+    result.grid = choose_grid(request.area, request.clouds.crs, result.clouds, step);
+    make_surfaces(context, result);
     return result;
   }
 
@@ -96,57 +119,59 @@ class SurfacePipeline final : public SurfaceFamily {
     }
   }
 
-  Cloud match_pair(const SurfaceRequest& request, const SatelliteImage& base,
-                   const SatelliteImage& match, const Context& context) const {
-    const Context here = context.scope(base.name + "_" + match.name);
-    const GreyScale base_scale = find_grey_scale(base), match_scale = find_grey_scale(match);
-    const std::vector<cv::Rect> windows = tiles(window_of(request, base), p_.tile);
-    Cloud cloud;
+  PointCloud match_pair(const SurfaceRequest& request, SeenPair& pair,
+                        const Context& context) const {
+    const Context here = context.scope(pair.base.name + "_" + pair.match.name);
+    const GreyScale base_scale = find_grey_scale(pair.base),
+                    match_scale = find_grey_scale(pair.match);
+    const std::vector<cv::Rect> windows = tiles(window_of(request, pair.base), p_.tile);
+    PointCloud cloud;
+    cloud.base = pair.base.name;
+    cloud.match = pair.match.name;
     for (std::size_t i = 0; i < windows.size(); ++i) {
       const double n = static_cast<double>(windows.size());
       const Context tile = here.part(static_cast<double>(i) / n, static_cast<double>(i + 1) / n);
-      match_window(request, base, match, windows[i], base_scale, match_scale,
+      match_window(request, pair, windows[i], base_scale, match_scale,
                    windows.size() > 1 ? tile.scope("tile_" + std::to_string(i + 1)) : tile, cloud);
     }
     return cloud;
   }
 
-  void match_window(const SurfaceRequest& request, const SatelliteImage& base,
-                    const SatelliteImage& match, const cv::Rect& window,
+  void match_window(const SurfaceRequest& request, SeenPair& seen, const cv::Rect& window,
                     const GreyScale& base_scale, const GreyScale& match_scale,
-                    const Context& context, Cloud& cloud) const {
+                    const Context& context, PointCloud& cloud) const {
     const HeightField* const dem = request.dem.get();
-    RectifiedPair pair{base, match, {}, nullptr};
-    pair.heights = p_.range_prior->heights(base, match, window, dem, context);
-    pair.geometry = p_.rectification(context, base, match, window, pair.heights);
+    RectifiedPair pair{seen.base, seen.match, {}, nullptr};
+    pair.heights = p_.range_prior->heights(seen.base, seen.match, window, dem, context);
+    pair.geometry = p_.rectification(context, seen.base, seen.match, window, pair.heights);
     DisparityRange range = p_.range_prior(context, pair, dem);
-    MatchRequest matching{resample(pair, base_scale, match_scale), std::move(range), {}};
-    if (matching.range.hull().empty()) return;
-    DisparityMap disparities = p_.matching(context, matching).forward;
-    for (const auto& filter : p_.filters) {
-      disparities = filter(context, disparities, matching.pair);
-    }
-    const PointGrid points = p_.triangulation(context, pair, disparities);
-    append(cloud, points, matching.pair.base.planes.front(), *pair.geometry, window);
+    const MatchRequest matching{resample(pair, base_scale, match_scale), std::move(range), {}};
+    const DisparityMap map = matched(matching, context);
+    const PointGrid points = p_.triangulation(context, pair, map);
+    append(cloud, points, map, matching.pair.base.planes.front(), *pair.geometry, window);
+    seen.windows.push_back(remember(window, pair, matching, map, points));
   }
 
-  void make_surfaces(const SurfaceRequest& request, const std::vector<Cloud>& clouds,
-                     const Context& context, SurfaceResult& result) const {
-    result.grid = choose_grid(request, clouds, p_.resolution);
-    const CrsTransform to_grid("EPSG:4326", result.grid.crs);
-    for (std::size_t i = 0; i < clouds.size(); ++i) {
-      const PairChoice& pair = result.pairs[i];
+  DisparityMap matched(const MatchRequest& request, const Context& context) const {
+    if (request.range.hull().empty()) return DisparityMap(request.pair.size());
+    DisparityMap map = p_.matching(context, request).forward;
+    for (const auto& filter : p_.filters) map = filter(context, map, request.pair);
+    return map;
+  }
+
+  /// Of the clouds, on the grid.
+  void make_surfaces(const Context& context, SurfaceResult& result) const {
+    for (const PointCloud& cloud : result.clouds) {
       const Context here =
-          context.scope(result.images[pair.base].name + "_" + result.images[pair.match].name);
-      const GridPoints points = on_grid(clouds[i], to_grid);
-      result.surfaces.push_back(p_.surface(here, points, result.grid));
-      if (i == 0) {
-        result.orthoimage =
-            p_.surface(here.scope("ortho"), with_greys(points, clouds[i]), result.grid);
-      }
+          context.scope(cloud.match.empty() ? cloud.base : cloud.base + "_" + cloud.match);
+      result.surfaces.push_back(p_.surface(here, cloud.points, result.grid));
+      if (result.surfaces.size() > 1) continue;
+      result.orthoimage =
+          p_.surface(here.scope("ortho"), with_values(cloud.points, cloud.greys), result.grid);
     }
     result.fused = p_.fusion(context, result.surfaces);
     result.fused.heights.metadata["vertical_datum"] = kEllipsoidalHeights;
+    add_layers(result);
   }
 
   Parameters p_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
-#include "plugins/surface/cells/cells.hpp"
+#include "xgm/geo/stage/reduce_cells.hpp"
 
 namespace {
 

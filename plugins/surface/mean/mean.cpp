@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "plugins/surface/cells/cells.hpp"
+#include "xgm/geo/stage/reduce_cells.hpp"
 
 namespace {
 

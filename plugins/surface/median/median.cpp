@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
-
-#include "plugins/surface/cells/cells.hpp"
+#include "xgm/geo/stage/reduce_cells.hpp"
 
 namespace {
 
@@ -15,12 +13,7 @@ class Median final : public Surface {
   explicit Median(Parameters) {}
 
   Raster run(const GridPoints& points, const GridSpec& grid, const Context&) const override {
-    return reduce_cells(points, grid, [](std::span<double> heights) {
-      const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
-      std::nth_element(heights.begin(), middle, heights.end());
-      if (heights.size() % 2 != 0) return *middle;
-      return (*middle + *std::max_element(heights.begin(), middle)) / 2;
-    });
+    return reduce_cells(points, grid, geo::median);
   }
 };
 

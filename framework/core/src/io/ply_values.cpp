@@ -32,7 +32,8 @@ template <class Whole>
 std::uint64_t rounded(double value) {
   if (std::isnan(value)) return 0;
   const double least = std::numeric_limits<Whole>::min(), most = std::numeric_limits<Whole>::max();
-  return static_cast<std::uint64_t>(static_cast<Whole>(std::clamp(std::nearbyint(value), least, most)));
+  return static_cast<std::uint64_t>(
+      static_cast<Whole>(std::clamp(std::nearbyint(value), least, most)));
 }
 
 std::uint64_t bits_of(PlyType type, double value) {

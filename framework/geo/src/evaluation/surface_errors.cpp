@@ -9,6 +9,7 @@
 
 #include "xgm/base/error.hpp"
 #include "xgm/base/parallel.hpp"
+#include "xgm/geo/stage/surface_family.hpp"
 
 namespace xgm::geo {
 namespace {
@@ -78,6 +79,15 @@ SurfaceErrors compare_surfaces(const cv::Mat1f& surface, const cv::Mat1f& truth,
   errors.median_error = median(sizes);
   errors.signed_median = median(signed_errors);
   return errors;
+}
+
+void remove_filled(Raster& surface, const Raster& source) {
+  if (surface.values.size() != source.values.size()) {
+    throw UsageError("the surface has " + size_text(surface.values) + " cells, its sources " +
+                     size_text(source.values) + "; give source.tif of the same run");
+  }
+  constexpr auto kFilled = static_cast<float>(HeightSource::filled);
+  surface.values.setTo(kNone, source.values == kFilled);
 }
 
 cv::Mat1f on_grid_of(const Raster& surface, const Raster& truth) {

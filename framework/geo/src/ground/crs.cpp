@@ -92,6 +92,12 @@ bool is_wgs84(const Crs& crs) {
                                PJ_COMP_EQUIVALENT_EXCEPT_AXIS_ORDER_GEOGCRS) != 0;
 }
 
+bool is_projected(const Crs& crs) {
+  const ProjContext context = make_context();
+  const Proj flat = make_crs(context.get(), horizontal(crs));
+  return proj_get_type(flat.get()) == PJ_TYPE_PROJECTED_CRS;
+}
+
 std::string crs_name(const Crs& crs) {
   const ProjContext context = make_context();
   return proj_get_name(make_crs(context.get(), crs).get());

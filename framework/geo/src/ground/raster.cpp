@@ -39,9 +39,9 @@ GridPlace place_of(GDALDataset& dataset, const std::string& file) {
 }
 
 /// The bytes of the file, made in memory: it gets its name when it is complete.
-std::string encode(GDALDriver& cog, GDALDataset& dataset, const std::string& file) {
-  const char* const options[] = {"COMPRESS=DEFLATE", "PREDICTOR=YES", "RESAMPLING=AVERAGE",
-                                 nullptr};
+std::string encode(GDALDriver& cog, GDALDataset& dataset, bool labels, const std::string& file) {
+  const char* const options[] = {"COMPRESS=DEFLATE", "PREDICTOR=YES",
+                                 labels ? "RESAMPLING=NEAREST" : "RESAMPLING=AVERAGE", nullptr};
   const std::string name =
       "/vsimem/xgm/" + std::to_string(reinterpret_cast<std::uintptr_t>(&dataset));
   const DatasetPtr copy(
@@ -54,6 +54,41 @@ std::string encode(GDALDriver& cog, GDALDataset& dataset, const std::string& fil
   VSIUnlink(name.c_str());
   VSIUnlink((name + ".aux.xml").c_str());
   return encoded;
+}
+
+/// `values` are floats, or codes of 8 bit.
+void write_cog(const std::string& file, const cv::Mat& values, const GridPlace& place,
+               const Crs& grid_crs, const std::map<std::string, std::string>& metadata) {
+  GDALAllRegister();
+  const QuietGdal quiet;
+  GDALDriver* const memory = GetGDALDriverManager()->GetDriverByName("MEM");
+  GDALDriver* const cog = GetGDALDriverManager()->GetDriverByName("COG");
+  require(memory != nullptr && cog != nullptr, file,
+          "this GDAL cannot write cloud-optimised GeoTIFF");
+  const bool labels = values.depth() == CV_8U;
+  const GDALDataType type = labels ? GDT_Byte : GDT_Float32;
+  const DatasetPtr dataset(memory->Create("", values.cols, values.rows, 1, type, nullptr));
+  require(dataset != nullptr, file, "not enough memory");
+  double t[6] = {place.left, place.step_x, 0, place.top, 0, place.step_y};
+  if (!grid_crs.empty()) {
+    dataset->SetGeoTransform(t);
+    const bool is_ellipsoidal = has_ellipsoidal_heights(grid_crs);
+    const Crs crs = is_ellipsoidal ? horizontal(grid_crs) : grid_crs;
+    require(dataset->SetProjection(crs.c_str()) == CE_None, file, "has an unknown CRS");
+    if (is_ellipsoidal) {
+      dataset->SetMetadataItem("vertical_datum", std::string(kEllipsoidalHeights).c_str());
+    }
+  }
+  for (const auto& [name, value] : metadata) {
+    dataset->SetMetadataItem(name.c_str(), value.c_str());
+  }
+  GDALRasterBand& band = *dataset->GetRasterBand(1);
+  if (!labels) band.SetNoDataValue(kNone);
+  const cv::Mat whole = values.isContinuous() ? values : values.clone();
+  require(band.RasterIO(GF_Write, 0, 0, whole.cols, whole.rows, whole.data, whole.cols, whole.rows,
+                        type, 0, 0) == CE_None,
+          file, "cannot be written");
+  write_file(file, encode(*cog, *dataset, labels, file));
 }
 
 }  // namespace
@@ -85,37 +120,11 @@ Raster read_raster(const std::string& file, int band_number) {
 }
 
 void write_raster(const std::string& file, const Raster& raster) {
-  GDALAllRegister();
-  const QuietGdal quiet;
-  GDALDriver* const memory = GetGDALDriverManager()->GetDriverByName("MEM");
-  GDALDriver* const cog = GetGDALDriverManager()->GetDriverByName("COG");
-  require(memory != nullptr && cog != nullptr, file,
-          "this GDAL cannot write cloud-optimised GeoTIFF");
-  const DatasetPtr dataset(
-      memory->Create("", raster.values.cols, raster.values.rows, 1, GDT_Float32, nullptr));
-  require(dataset != nullptr, file, "not enough memory");
-  double t[6] = {raster.place.left,  raster.place.step_x, 0, raster.place.top, 0,
-                 raster.place.step_y};
-  if (!raster.crs.empty()) {
-    dataset->SetGeoTransform(t);
-    const bool is_ellipsoidal = has_ellipsoidal_heights(raster.crs);
-    const Crs crs = is_ellipsoidal ? horizontal(raster.crs) : raster.crs;
-    require(dataset->SetProjection(crs.c_str()) == CE_None, file, "has an unknown CRS");
-    if (is_ellipsoidal) {
-      dataset->SetMetadataItem("vertical_datum", std::string(kEllipsoidalHeights).c_str());
-    }
-  }
-  for (const auto& [name, value] : raster.metadata) {
-    dataset->SetMetadataItem(name.c_str(), value.c_str());
-  }
-  GDALRasterBand& band = *dataset->GetRasterBand(1);
-  band.SetNoDataValue(kNone);
-  const cv::Mat1f values =
-      raster.values.isContinuous() ? raster.values : cv::Mat1f(raster.values.clone());
-  require(band.RasterIO(GF_Write, 0, 0, values.cols, values.rows, values.data, values.cols,
-                        values.rows, GDT_Float32, 0, 0) == CE_None,
-          file, "cannot be written");
-  write_file(file, encode(*cog, *dataset, file));
+  write_cog(file, raster.values, raster.place, raster.crs, raster.metadata);
+}
+
+void write_labels(const std::string& file, const LabelRaster& labels) {
+  write_cog(file, labels.values, labels.place, labels.crs, labels.metadata);
 }
 
 }  // namespace xgm::geo

@@ -5,19 +5,18 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <memory>
 #include <set>
 
+#include "run/surface_outputs.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/base/json.hpp"
 #include "xgm/base/memory.hpp"
 #include "xgm/base/parallel.hpp"
 #include "xgm/evaluation/record_json.hpp"
 #include "xgm/evaluation/run_folder.hpp"
-#include "xgm/geo/camera/write_rpc.hpp"
 #include "xgm/geo/ground/dem.hpp"
-#include "xgm/geo/run/relief.hpp"
 #include "xgm/io/file.hpp"
-#include "xgm/io/image_io.hpp"
 #include "xgm/stage/observers.hpp"
 
 namespace xgm::geo {
@@ -25,16 +24,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array kLayers{"dsm.tif", "pairs.tif", "spread.tif", "orthoimage.tif", "dsm.png"};
-
-std::string camera_file(const std::string& image) {
-  return fs::path(image).stem().string() + "_rpc.txt";
-}
-
 std::vector<NamedFile> files_read(const Pipeline& pipeline, const SurfaceFiles& files,
                                   const SurfaceRecordRequest& request) {
   std::vector<NamedFile> read{{"pipeline", pipeline.file()}};
   for (const std::string& image : files.images) read.push_back({"image", image});
+  for (const std::string& cloud : files.clouds) read.push_back({"cloud", cloud});
   for (const std::string& mask : files.masks) read.push_back({"mask", mask});
   if (!files.dem.empty()) read.push_back({"DEM", dem_file(files.dem)});
   read.insert(read.end(), request.inputs.begin(), request.inputs.end());
@@ -46,13 +40,16 @@ std::vector<NamedFile> files_written(const SurfaceFiles& files, const std::strin
   const auto add = [&](const std::string& name) {
     written.push_back({"--output", (fs::path(folder) / name).string()});
   };
-  for (const char* layer : kLayers) add(layer);
-  for (const std::string& image : files.images) add(camera_file(image));
+  for (const std::string& name : output_names(files)) add(name);
   add(kRecordFile);
   return written;
 }
 
 void check(const SurfaceFiles& files) {
+  if (!files.clouds.empty()) {
+    if (files.images.empty() && files.masks.empty() && files.dem.empty()) return;
+    throw UsageError("--clouds: clouds are made a surface of without images, masks and DEM");
+  }
   if (files.images.size() < 2) throw UsageError("--images: give at least two satellite images");
   if (!files.masks.empty() && files.masks.size() != files.images.size()) {
     throw UsageError("--masks: give one mask for each of the " +
@@ -77,41 +74,20 @@ SurfaceRequest read_request(const SurfaceFiles& files) {
   return request;
 }
 
-Raster layer(const SurfaceResult& result, const cv::Mat1f& values) {
-  return {values, result.grid.place, result.grid.crs, {}};
-}
-
-void write_layers(const SurfaceResult& result, const RunFolder& folder) {
-  // GeoTIFF has no projected CRS of three dimensions: what heights are counted from is metadata.
-  const Raster& heights = result.fused.heights;
-  write_raster(folder.file("dsm.tif"), heights);
-  write_raster(folder.file("pairs.tif"), layer(result, result.fused.count));
-  write_raster(folder.file("spread.tif"), layer(result, result.fused.spread));
-  write_raster(folder.file("orthoimage.tif"), layer(result, result.orthoimage.values));
-  write_png(folder.file("dsm.png"), relief_picture(heights));
-  for (const SatelliteImage& image : result.images) {
-    write_file(folder.file(camera_file(image.file)), rpc_text(image.camera.model()));
+/// The surface, of images or of clouds.
+std::function<SurfaceResult(const Context&)> make_job(const SurfaceFamily& family,
+                                                      const SurfaceFiles& files) {
+  if (files.clouds.empty()) {
+    return [&family, request = read_request(files)](const Context& context) {
+      return family.run(request, context);
+    };
   }
-}
-
-Json pairs_json(const SurfaceResult& result) {
-  Json pairs = Json::array();
-  for (std::size_t i = 0; i < result.pairs.size(); ++i) {
-    pairs.push_back({{"base", result.images[result.pairs[i].base].name},
-                     {"match", result.images[result.pairs[i].match].name},
-                     {"above_fused_m", result.fused.offsets[i]}});
-  }
-  return pairs;
-}
-
-Json grid_json(const GridSpec& grid) {
-  return {{"crs", crs_name(grid.crs)},
-          {"left", grid.place.left},
-          {"top", grid.place.top},
-          {"resolution_m", grid.place.step_x},
-          {"columns", grid.size.width},
-          {"rows", grid.size.height},
-          {"heights_above", "WGS 84 ellipsoid"}};
+  // Shared, since the clouds are large and a function must be able to be copied.
+  const auto request =
+      std::make_shared<CloudRequest>(CloudRequest{read_clouds(files.clouds), files.area});
+  return [&family, request](const Context& context) {
+    return family.rasterise(std::move(*request), context);
+  };
 }
 
 /// What is wrong goes to the record, too.
@@ -138,8 +114,8 @@ RecordedSurface record_surface(const Pipeline& pipeline, const SurfaceFiles& fil
   check(files);
   const std::vector<NamedFile> inputs = files_read(pipeline, files, request);
   RunFolder folder(request.folder, files_written(files, request.folder), inputs);
-  request.tell("reading the images");
-  const SurfaceRequest opened = read_request(files);
+  request.tell(files.clouds.empty() ? "reading the images" : "reading the clouds");
+  const auto job = make_job(*family, files);
   RunRecorder recorder;
   Warnings warnings;
   Observers observers;
@@ -151,8 +127,7 @@ RecordedSurface record_surface(const Pipeline& pipeline, const SurfaceFiles& fil
   request.tell("making the surface");
   RecordedSurface recorded;
   const auto start = std::chrono::steady_clock::now();
-  pipeline.in_run(watched,
-                  [&](const Context& context) { recorded.result = family->run(opened, context); });
+  pipeline.in_run(watched, [&](const Context& context) { recorded.result = job(context); });
   recorded.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   recorded.covered = share_of_heights(recorded.result.fused.heights.values);
@@ -160,7 +135,7 @@ RecordedSurface record_surface(const Pipeline& pipeline, const SurfaceFiles& fil
     recorded.failure = "the surface is empty: no pixel of any pair matched";
   request.tell("writing the results");
   folder.begin();
-  write_layers(recorded.result, folder);
+  write_outputs(recorded.result, folder);
   Json json;
   json["format"] = 1;
   json["versions"] = versions_json();
@@ -172,6 +147,7 @@ RecordedSurface record_surface(const Pipeline& pipeline, const SurfaceFiles& fil
   json["grid"] = grid_json(recorded.result.grid);
   json["pairs"] = pairs_json(recorded.result);
   json["covered_share"] = recorded.covered;
+  json["cells"] = cells_json(recorded.result);
   json["threads"] = options.threads > 0 ? options.threads : thread_count();
   json["seconds"] = recorded.seconds;
   json["peak_memory_bytes"] = peak_memory();

@@ -24,6 +24,10 @@ struct SurfaceErrors {
 XGM_API SurfaceErrors compare_surfaces(const cv::Mat1f& surface, const cv::Mat1f& truth,
                                        double threshold = 1);
 
+/// Leaves heights out that a filter has filled: where `source`, on the surface's grid, is 2
+/// (source.tif of a run). Throws UsageError if the sizes differ.
+XGM_API void remove_filled(Raster& surface, const Raster& source);
+
 /// The surface on the truth's grid: itself if both have no georeference and one size; else bilinear
 /// at the centres of the truth's cells, its heights taken from its datum to the truth's if both say
 /// theirs. Throws UsageError if only one of the two has a georeference.

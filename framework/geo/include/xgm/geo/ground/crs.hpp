@@ -29,6 +29,8 @@ XGM_API bool has_ellipsoidal_heights(const Crs& crs);
 XGM_API Crs horizontal(const Crs& crs);
 /// Whether coordinates are longitude and latitude on WGS 84, heights or not.
 XGM_API bool is_wgs84(const Crs& crs);
+/// Whether coordinates are lengths on a map, heights or not. Throws Error if PROJ does not know it.
+XGM_API bool is_projected(const Crs& crs);
 /// "WGS 84 / UTM zone 40S"
 XGM_API std::string crs_name(const Crs& crs);
 /// The zone of UTM on WGS 84 that a place lies in: "EPSG:32740".

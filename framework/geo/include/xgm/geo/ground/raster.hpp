@@ -43,4 +43,14 @@ inline constexpr std::string_view kEllipsoidalHeights = "WGS 84 ellipsoid";
 /// as "vertical_datum".
 XGM_API void write_raster(const std::string& file, const Raster& raster);
 
+/// Codes for each cell, 0 to 255, on the grid of a raster.
+struct LabelRaster {
+  cv::Mat1b values;
+  GridPlace place;
+  Crs crs;
+  std::map<std::string, std::string> metadata;  ///< what the codes mean: "code_1", ...
+};
+/// The same with 8-bit values, none of them nodata; overviews have the code of the nearest cell.
+XGM_API void write_labels(const std::string& file, const LabelRaster& labels);
+
 }  // namespace xgm::geo

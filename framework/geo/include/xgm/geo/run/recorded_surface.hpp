@@ -14,10 +14,12 @@
 namespace xgm::geo {
 
 struct SurfaceFiles {
-  std::vector<std::string> images;   ///< at least two
+  std::vector<std::string> images;   ///< at least two; none if there are clouds
   std::string dem{};                 ///< "FILE" or "FILE,DATUM"; empty: none
   std::vector<std::string> masks{};  ///< of the images, in their order; none, or as many
   std::optional<cv::Vec4d> area{};   ///< west, south, east, north, degrees
+  /// Clouds of earlier runs in place of images: nothing is matched, the surface is made of them.
+  std::vector<std::string> clouds{};
 };
 
 struct SurfaceRecordRequest {
@@ -37,9 +39,10 @@ struct RecordedSurface {
 };
 
 /// Writes to the folder: dsm.tif (heights above the ellipsoid), pairs.tif and spread.tif (how many
-/// pairs have seen a cell, and how far they disagree), orthoimage.tif, dsm.png, the cameras that
-/// were used as NAME_rpc.txt and, last, run.json. Throws UsageError for what is wrong before
-/// anything is matched, else Error; if it is Cancelled, nothing is left of it.
+/// pairs have seen a cell, and how far they disagree), gap.tif, source.tif, orthoimage.tif, dsm.png
+/// and, last, run.json; if images were matched, also reasons.tif, cloud.ply and the cameras that
+/// were used as NAME_rpc.txt. docs/satellite.md says what is in them. Throws UsageError for what is
+/// wrong before anything is matched, else Error; if it is Cancelled, nothing is left of it.
 XGM_API RecordedSurface record_surface(const Pipeline& pipeline, const SurfaceFiles& files,
                                        const SurfaceRecordRequest& request,
                                        const RunOptions& options = {});

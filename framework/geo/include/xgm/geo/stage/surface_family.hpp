@@ -4,6 +4,8 @@
 
 #include <vector>
 
+#include "xgm/geo/image/point_cloud.hpp"
+#include "xgm/geo/stage/cell_reason.hpp"
 #include "xgm/geo/stage/fusion.hpp"
 #include "xgm/geo/stage/pairs.hpp"
 #include "xgm/geo/stage/surface.hpp"
@@ -18,18 +20,37 @@ struct SurfaceRequest {
   std::optional<cv::Vec4d> area{};
 };
 
+/// Clouds of an earlier run, to be made a surface of again.
+struct CloudRequest {
+  CloudSet clouds;                  ///< at least one pair
+  std::optional<cv::Vec4d> area{};  ///< as in SurfaceRequest; empty: what the points cover
+};
+
+/// What the height of a cell was made of; the numbers are those of source.tif.
+enum class HeightSource : std::uint8_t {
+  none,      ///< has no height
+  measured,  ///< at least one of the points in it was measured, or its points lie around it
+  filled,    ///< all points in it have disparities that a filter has filled
+};
+
 struct SurfaceResult {
   GridSpec grid;
   FusedSurface fused;
   Raster orthoimage;                   ///< grey levels on the same grid
-  std::vector<SatelliteImage> images;  ///< with the cameras that were used
-  std::vector<PairChoice> pairs;
-  std::vector<Raster> surfaces;  ///< of each pair
+  cv::Mat1f gaps;                      ///< median of the points' gaps in each cell, m; NaN: unknown
+  cv::Mat1b sources;                   ///< a HeightSource for each cell
+  cv::Mat1b reasons;                   ///< a CellReason for each cell; empty if made of clouds
+  std::vector<PointCloud> clouds;      ///< of each pair, x and y in the grid's CRS
+  std::vector<Raster> surfaces;        ///< of each pair
+  std::vector<SatelliteImage> images;  ///< with the cameras that were used; none if made of clouds
+  std::vector<PairChoice> pairs;       ///< of these images
 };
 
 class XGM_API SurfaceFamily : public PipelineFamily {
  public:
   virtual SurfaceResult run(const SurfaceRequest& request, const Context& context) const = 0;
+  /// Makes the surface of clouds again, without matching: the stages surface and fusion alone.
+  virtual SurfaceResult rasterise(CloudRequest request, const Context& context) const = 0;
 };
 
 }  // namespace xgm::geo

@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "xgm/geo/stage/reduce_cells.hpp"
+
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
-#include "plugins/surface/cells/cells.hpp"
 #include "xgm/base/parallel.hpp"
 
 namespace xgm::geo {
+
+double median(std::span<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  if (values.size() % 2 != 0) return *middle;
+  return (*middle + *std::max_element(values.begin(), middle)) / 2;
+}
 
 Raster reduce_cells(const GridPoints& points, const GridSpec& grid,
                     const std::function<double(std::span<double>)>& reduce) {

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// The files of a surface, and what its record says of it.
+#pragma once
+
+#include "xgm/base/json.hpp"
+#include "xgm/evaluation/run_folder.hpp"
+#include "xgm/geo/run/recorded_surface.hpp"
+
+namespace xgm::geo {
+
+/// All but the record, by the names they have in the folder.
+std::vector<std::string> output_names(const SurfaceFiles& files);
+void write_outputs(const SurfaceResult& result, const RunFolder& folder);
+
+Json grid_json(const GridSpec& grid);
+Json pairs_json(const SurfaceResult& result);
+/// How many cells there are, and the share of each reason and source.
+Json cells_json(const SurfaceResult& result);
+
+}  // namespace xgm::geo
