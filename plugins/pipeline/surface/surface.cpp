@@ -143,7 +143,12 @@ class SurfacePipeline final : public SurfaceFamily {
     const HeightField* const dem = request.dem.get();
     RectifiedPair pair{seen.base, seen.match, {}, nullptr};
     pair.heights = p_.range_prior->heights(seen.base, seen.match, window, dem, context);
-    pair.geometry = p_.rectification(context, seen.base, seen.match, window, pair.heights);
+    // More than the window, so that what lies at its border is matched with what is around it.
+    constexpr int kCollar = 64;  // px
+    const cv::Rect around = cv::Rect(window.tl() - cv::Point(kCollar, kCollar),
+                                     window.size() + cv::Size(2 * kCollar, 2 * kCollar)) &
+                            cv::Rect({}, seen.base.size);
+    pair.geometry = p_.rectification(context, seen.base, seen.match, around, pair.heights);
     DisparityRange range = p_.range_prior(context, pair, dem);
     const MatchRequest matching{resample(pair, base_scale, match_scale), std::move(range), {}};
     const DisparityMap map = matched(matching, context);
