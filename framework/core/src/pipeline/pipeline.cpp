@@ -124,7 +124,10 @@ struct PipelineLoader {
                              const std::vector<Override>& overrides, Diagnostics diagnostics) {
     LoadedPipeline result;
     if (root.is_map()) read_named_parts(root, registry, diagnostics);
-    for (const Override& change : overrides) apply_override(root, change, diagnostics);
+    for (const Override& change : overrides) {
+      apply_override(root, change, diagnostics);
+      if (root.is_map()) read_named_parts(root, registry, diagnostics);
+    }
     if (!root.is_map()) {
       add_diagnostic(diagnostics, {name},
                      "a pipeline file is a map of stages, this is " + spell(root),
