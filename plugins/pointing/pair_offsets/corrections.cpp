@@ -45,7 +45,12 @@ std::vector<SatelliteImage> without(const std::vector<PairOffset>& offsets,
     }
     b(i) = e.offset;
   }
-  const Eigen::VectorXd moves = a.completeOrthogonalDecomposition().solve(b);
+  // Moving all cameras alike moves the ground, and no pair tells. What pairs hardly tell from that
+  // is left as it is, too: noise would make it any number of pixels.
+  constexpr double kTold = 0.05;  // of what is told best
+  Eigen::JacobiSVD<Eigen::MatrixXd> decomposition(a, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  decomposition.setThreshold(kTold);
+  const Eigen::VectorXd moves = decomposition.solve(b);
   for (std::size_t i = 0; i < images.size(); ++i) {
     const auto k = 2 * static_cast<Eigen::Index>(i);
     // Points are seen where key points are: the projection moves by `moves`.
