@@ -34,7 +34,7 @@ cv::Mat1f judged(const SatelliteScene& scene, bool only_visible) {
         const auto pixel = scene.views[i].truth.project(
             to_ecef.forward({centre.x, centre.y, double{truth(row, column)}}));
         const bool seen = pixel && shown.contains(*pixel) &&
-                          (!only_visible || scene.visible[i](row, column) != 0);
+                          (!only_visible || scene.visible[i](row, column) == 255);
         if (!seen) truth(row, column) = NAN;
       }
     }
@@ -45,9 +45,9 @@ cv::Mat1f judged(const SatelliteScene& scene, bool only_visible) {
 SatelliteSceneSpec mountains_and_flats() {
   SatelliteSceneSpec spec;
   spec.seed = 4;
-  spec.size = 1000;
+  spec.size = 800;
   spec.gsd = spec.posting = 1;
-  spec.relief = 200;
+  spec.relief = 300;
   spec.views = {{.azimuth = 12, .incidence = 10, .heading = 188, .pointing_error = {}},
                 {.azimuth = 195, .incidence = 12, .heading = 193, .pointing_error = {}}};
   return spec;

@@ -3,44 +3,41 @@
 #include "xgm/evaluation/bench.hpp"
 #include "terminal/console.hpp"
 
-#include <spdlog/fmt/fmt.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 
 #include "bench/bench_files.hpp"
-#include "bench/bench_options.hpp"
+#include "bench/bench_run.hpp"
+#include "bench/bench_surfaces.hpp"
 #include "commands.hpp"
+#include "options/surfaces.hpp"
 #include "options/values.hpp"
-#include "terminal/progress.hpp"
-#include "xgm/base/error.hpp"
 #include "xgm/base/parallel.hpp"
-#include "xgm/evaluation/bench_process.hpp"
 #include "xgm/evaluation/bench_submission.hpp"
-#include "xgm/io/file.hpp"
-#include "xgm/io/output_folder.hpp"
 #include "xgm/pipeline/lookup.hpp"
 
 namespace xgm::cli {
 namespace {
-
-// Also after it has been built anew, this is what runs.
-constexpr const char* kThisProgram = "/proc/self/exe";
 
 std::vector<Override> joined(std::vector<Override> first, const std::vector<Override>& second) {
   first.insert(first.end(), second.begin(), second.end());
   return first;
 }
 
+struct NamedPipelines {
+  std::vector<BenchPipeline> pipelines;
+  std::size_t surfaces = 0;  ///< of them, that make surfaces
+};
+
 /// All pipelines with all points of the sweeps; says all that is wrong, and then gives nothing.
-std::optional<std::vector<BenchPipeline>> load_pipelines(const BenchOptions& options,
-                                                         const Registry& registry) {
+std::optional<NamedPipelines> load_pipelines(const BenchOptions& options,
+                                             const Registry& registry) {
   const std::vector<Override> overrides = parse_overrides(options.assignments);
   std::vector<Sweep> sweeps;
   for (const std::string& text : options.sweeps) sweeps.push_back(parse_sweep(text));
-  std::vector<BenchPipeline> pipelines;
+  NamedPipelines named;
   bool sound = true;
   for (const std::string& name : pipeline_names(options)) {
     for (const SweepPoint& point : sweep_points(sweeps)) {
@@ -51,7 +48,8 @@ std::optional<std::vector<BenchPipeline>> load_pipelines(const BenchOptions& opt
         log_error("so pipeline " + name + point.name + " cannot be run");
         continue;
       }
-      pipelines.push_back(
+      if (makes_surfaces(*pipeline)) ++named.surfaces;
+      named.pipelines.push_back(
           {.name = std::filesystem::path(pipeline->file()).stem().string() + point.name,
            .file = pipeline->file(),
            .overrides = all,
@@ -60,80 +58,46 @@ std::optional<std::vector<BenchPipeline>> load_pipelines(const BenchOptions& opt
     }
   }
   if (!sound) return std::nullopt;
-  name_folders(pipelines);
-  return pipelines;
+  if (named.surfaces > 0 && named.surfaces < named.pipelines.size()) {
+    throw UsageError(
+        "--pipelines: some make surfaces and some maps of disparities; compare them in benches of "
+        "their own");
+  }
+  name_folders(named.pipelines);
+  return named;
 }
 
-std::optional<BenchRequest> make_request(const BenchOptions& options) {
-  const Registry registry = make_registry(options.plugins);
-  auto pipelines = load_pipelines(options, registry);
-  if (!pipelines) return std::nullopt;
+BenchRequest make_request(const BenchOptions& options, const Registry& registry,
+                          std::vector<BenchPipeline> pipelines, const BenchRules& rules) {
+  if (options.fused) throw UsageError("--fused: is for pipelines that make surfaces");
   BenchRequest request{
       .output = options.output,
-      .pipelines = std::move(*pipelines),
+      .pipelines = std::move(pipelines),
       .scenes = find_bench_scenes(options.data, registry, options.dataset, options.scenes),
       .program = identify_program(kThisProgram, plugin_files(registry)),
       .threads = options.threads > 0 ? options.threads : thread_count()};
-  check_bench(request, options.rules);
+  check_bench(request, rules);
   if (!options.submit.empty()) check_submission(request, options.submit, options.method);
   require_inputs_kept(options, request, registry);
   identify_images(request.scenes);
   return request;
 }
 
-/// The command line of one cell's run.
-std::vector<std::string> run_words(const BenchOptions& options, const BenchRequest& request,
-                                   const BenchPipeline& pipeline, const BenchScene& scene,
-                                   const std::string& folder) {
-  std::vector<std::string> words{"pipeline", "run"};
-  // With "=", for values may begin with a dash.
-  const auto add = [&](const std::string& option, const std::string& value) {
-    words.push_back(option + "=" + value);
-  };
-  add("--scene", scene.files.name);
-  add("--output", folder);
-  add("--threads", std::to_string(request.threads));
-  add("--log-level", "warning");
-  if (!options.dataset.empty()) add("--dataset", options.dataset);
-  if (!options.memory_limit.empty()) add("--memory-limit", options.memory_limit);
-  for (const Override& change : pipeline.overrides) {
-    add("--set", change.path + "=" + change.value);
-  }
-  for (const std::string& file : options.plugins.files) add("--plugin", file);
+std::vector<std::string> input_words(const BenchOptions& options, const BenchPipeline& pipeline,
+                                     const BenchScene& scene) {
+  std::vector<std::string> words{"--scene=" + scene.files.name};
+  if (!options.dataset.empty()) words.push_back("--dataset=" + options.dataset);
   words.insert(words.end(), {"--", pipeline.file, scene.data_folder});
   return words;
 }
 
-/// Says where the bench stands: on the line that is rewritten, and in one that stays.
-void tell(const BenchProgress& at, Progress& progress) {
-  const std::string left =
-      at.seconds_left > 0 ? ", about " + duration_text(at.seconds_left) + " left" : "";
-  const std::string what =
-      fmt::format("run {} of {}{}: {} on {}", at.number, at.total, left, at.pipeline, at.scene);
-  if (!at.finished) {
-    progress.begin(what);
-  } else if (at.cell->state == CellState::failed) {
-    log_warning(what + " failed: " + at.cell->failure);
-  } else {
-    log_info(
-        fmt::format("{}: {:.2f} s, {:.0f} MB", what, at.cell->seconds, at.cell->peak_bytes / 1e6));
-  }
-}
-
-/// Nothing is printed while the line of the progress stands on the terminal.
-void write_tables(const BenchResult& result, Progress& progress) {
-  const std::filesystem::path folder(result.request.output);
-  progress.end();
-  std::cout << bench_text(result) << std::flush;
-  progress.begin("writing the tables");
-  std::string written = "written:";
+std::vector<BenchFile> tables(const BenchResult& result) {
+  std::vector<BenchFile> files;
   for (const BenchTable& table : kBenchTables) {
-    const std::string file = (folder / table.file).string();
-    write_file(file, table.text(result));
-    written += ' ' + file;
+    files.push_back({(std::filesystem::path(result.request.output) / table.file).string(),
+                     [&result, text = table.text] { return text(result); }});
   }
-  progress.end();
-  std::cout << written << std::endl;
+  return files;
 }
 
 void submit(const BenchResult& result, const BenchOptions& options) {
@@ -146,43 +110,37 @@ void submit(const BenchResult& result, const BenchOptions& options) {
   for (const std::string& command : commands) std::cout << "to pack: " << command << '\n';
 }
 
-int run_planned(const BenchOptions& options, const BenchRequest& request, const BenchRules& rules) {
+int bench_maps(const BenchOptions& options, const Registry& registry,
+               std::vector<BenchPipeline> pipelines, const BenchRules& rules) {
+  const BenchRequest request =
+      before_any_run([&] { return make_request(options, registry, std::move(pipelines), rules); });
+  const auto lock = hold_output(options);
   const Interruptible interruptible;
   Progress progress;
   const BenchHooks hooks{
       .run =
           [&](const BenchPipeline& pipeline, const BenchScene& scene, const std::string& folder) {
-            return run_program(kThisProgram, run_words(options, request, pipeline, scene, folder),
+            return run_program(kThisProgram,
+                               run_words(options, request.threads, pipeline, folder,
+                                         input_words(options, pipeline, scene)),
                                (std::filesystem::path(folder) / kCellLog).string());
           },
       .tell = [&](const BenchProgress& at) { tell(at, progress); }};
   progress.begin("looking for what is done already");
   const BenchResult result = run_bench(request, rules, hooks);
-  write_tables(result, progress);
+  write_tables(bench_text(result), tables(result), progress);
   if (!options.submit.empty()) submit(result, options);
-  if (result.interrupted) {
-    log_warning("interrupted; the same command goes on from here");
-    return kSignalled + Interruptible::signal();
-  }
-  return result.failures() == 0 ? kOk : kFailed;
+  return exit_code(result.interrupted, result.failures());
 }
 
 int bench(const BenchOptions& options) {
   if (!options.memory_limit.empty()) parse_bytes(options.memory_limit, "--memory-limit");
   const BenchRules rules = rules_of(options);
-  std::optional<BenchRequest> request;
-  std::optional<FolderLock> lock;
-  try {
-    request = make_request(options);
-    if (!request) return kUsage;
-    make_output_folder(options.output, "--output ");
-    lock.emplace(options.output);
-  } catch (const UsageError&) {
-    throw;
-  } catch (const Error& error) {
-    throw UsageError(error.message());
-  }
-  return run_planned(options, *request, rules);
+  const Registry registry = before_any_run([&] { return make_registry(options.plugins); });
+  auto named = before_any_run([&] { return load_pipelines(options, registry); });
+  if (!named) return kUsage;
+  if (named->surfaces > 0) return bench_surfaces(options, registry, std::move(named->pipelines));
+  return bench_maps(options, registry, std::move(named->pipelines), rules);
 }
 
 }  // namespace

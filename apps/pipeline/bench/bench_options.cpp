@@ -10,8 +10,6 @@
 namespace xgm::cli {
 namespace {
 
-/// What "a, b" was split into.
-
 void add_work(Command command, BenchOptions& options) {
   command
       .option("--pipelines", options.pipelines,
@@ -23,7 +21,7 @@ void add_work(Command command, BenchOptions& options) {
   command
       .option("--data", options.data,
               "Folders of scenes, or scenes, of any known data set (see 'pipeline list "
-              "dataset')")
+              "dataset'); for pipelines of type surface, satellite scenes with a scene.yaml")
       .type_name("DIR...")
       .required();
   add_dataset_option(command, options.dataset);
@@ -37,6 +35,9 @@ void add_work(Command command, BenchOptions& options) {
               "matcher.scale=4,8; may be given again: all combinations")
       .type_name("PATH=VALUE,...")
       .one_value_each();
+  command.flag("--fused", options.fused,
+               "For pipelines of type surface: all images of a scene at once. Without it, every "
+               "two of them by themselves");
   add_threads_option(command, options.threads, "Threads of each run; without it all processors");
   add_memory_limit_option(command, options.memory_limit);
 }

@@ -22,6 +22,7 @@ struct BenchOptions {
   std::string scale = "1";
   int threads = 0;
   std::string memory_limit;
+  bool fused = false;
   std::string output = "xgm_bench";
   std::string submit;
   std::string method;

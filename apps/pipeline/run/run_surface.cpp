@@ -2,6 +2,7 @@
 #include "run/run_surface.hpp"
 
 #include "options/scene_request.hpp"
+#include "options/surfaces.hpp"
 #include "options/values.hpp"
 #include "xgm/base/error.hpp"
 
@@ -20,10 +21,6 @@ namespace xgm::cli {
 
 #ifdef XGM_HAS_GEO
 namespace {
-
-bool makes_surfaces(const Pipeline& pipeline) {
-  return dynamic_cast<const geo::SurfaceFamily*>(&pipeline.family()) != nullptr;
-}
 
 std::optional<cv::Vec4d> parse_area(const std::string& text) {
   if (text.empty()) return std::nullopt;
@@ -63,13 +60,23 @@ std::string empty_cells(const cv::Mat1b& reasons) {
   return text;
 }
 
+std::string truth_line(const geo::SurfaceTruth& truth) {
+  if (!truth.surface) return {};
+  const geo::SurfaceErrors& errors = *truth.surface;
+  return fmt::format(
+      "truth:   {:.2f} % within 1 m, {:.2f} % covered, median |dz| {:.3f} m, RMSE {:.2f} m, median "
+      "dz {:.3f} m\n",
+      100 * errors.completeness, 100 * errors.coverage, errors.median_error, errors.rmse,
+      errors.signed_median);
+}
+
 void print_summary(const geo::RecordedSurface& run, const std::string& folder) {
   const geo::GridSpec& grid = run.result.grid;
   const std::string empty = run.result.reasons.empty() ? "" : empty_cells(run.result.reasons);
   std::cout << fmt::format("surface: {} x {} cells of {:g} m, {}, {:.1f} % have a height\n",
                            grid.size.width, grid.size.height, grid.place.step_x,
                            geo::crs_name(grid.crs), 100 * run.covered)
-            << (empty.empty() ? "" : "empty:   " + empty + "\n")
+            << (empty.empty() ? "" : "empty:   " + empty + "\n") << truth_line(run.truth)
             << fmt::format("cost:    {:.1f} s\nwritten: {}/dsm.tif and its layers, run.json\n",
                            run.seconds, folder);
 }
@@ -79,8 +86,9 @@ void print_summary(const geo::RecordedSurface& run, const std::string& folder) {
 int run_surface(const Pipeline& pipeline, const Registry& registry,
                 const RunCommandOptions& options, const std::vector<std::string>& command_line,
                 const RunOptions& run, Progress& progress) {
-  const geo::SurfaceFiles files{options.satellite_images, options.dem, options.satellite_masks,
-                                parse_area(options.area), options.satellite_clouds};
+  const geo::SurfaceFiles files{options.satellite_images, options.dem,
+                                options.satellite_masks,  parse_area(options.area),
+                                options.satellite_clouds, options.truth};
   geo::SurfaceRecordRequest request{.folder = options.output,
                                     .overrides = parse_overrides(options.assignments),
                                     .command_line = command_line,
@@ -94,12 +102,6 @@ int run_surface(const Pipeline& pipeline, const Registry& registry,
   return kFailed;
 }
 #else
-namespace {
-
-bool makes_surfaces(const Pipeline&) { return false; }
-
-}  // namespace
-
 int run_surface(const Pipeline&, const Registry&, const RunCommandOptions&,
                 const std::vector<std::string>&, const RunOptions&, Progress&) {
   throw UsageError("this program was built without GDAL and PROJ");

@@ -2,6 +2,7 @@
 // pipeline synth: make scenes whose truth is known.
 #include <spdlog/fmt/fmt.h>
 
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
@@ -10,6 +11,7 @@
 #include "commands.hpp"
 #include "options/scene_options.hpp"
 #include "options/values.hpp"
+#include "synth/synth_satellite.hpp"
 #include "terminal/progress.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/base/parallel.hpp"
@@ -25,7 +27,7 @@ namespace fs = std::filesystem;
 struct SynthOptions {
   std::string folder;
   int count = 1;
-  std::string size = "640x480";
+  std::string size;
   std::string disparities = "0:63";
   std::uint64_t seed = 1;
   int objects = 12;
@@ -34,6 +36,7 @@ struct SynthOptions {
   bool grey = false;
   bool force = false;
   int threads = 0;
+  SatelliteOptions satellite;
 };
 
 cv::Size parse_size(const std::string& text) {
@@ -50,7 +53,7 @@ cv::Size parse_size(const std::string& text) {
 
 synthesis::Options parse(const SynthOptions& options) {
   synthesis::Options parsed;
-  parsed.size = parse_size(options.size);
+  parsed.size = parse_size(options.size.empty() ? "640x480" : options.size);
   parsed.disparities = parse_disparities(options.disparities);
   parsed.objects = options.objects;
   parsed.colour = !options.grey;
@@ -77,6 +80,37 @@ void prepare_folder(const SynthOptions& options) {
 
 std::string scene_name(int number) { return fmt::format("scene_{:04d}", number); }
 
+int satellite_size(const std::string& text) {
+  if (text.empty()) return 1000;
+  const auto side = parse_number(text);
+  if (side && *side == std::floor(*side) && *side >= 64 && *side <= 20000) {
+    return static_cast<int>(*side);
+  }
+  throw UsageError("--size " + text +
+                   ": satellite images are square; write one number of px from 64 to 20000, for "
+                   "example 1000");
+}
+
+/// Returns the signal that asked for the program's end meanwhile.
+int synth_satellites(const SynthOptions& options) {
+  const int size = satellite_size(options.size);
+  check_satellites(options.satellite, size, options.seed);
+  prepare_folder(options);
+  const ThreadLimit threads(options.threads);
+  Progress progress;
+  for (int i = 0; i < options.count; ++i) {
+    const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(i);
+    const std::string folder = (fs::path(options.folder) / scene_name(i + 1)).string();
+    progress.begin(fmt::format("scene {} of {}", i + 1, options.count));
+    const Interruptible interruptible;
+    const std::string made = write_satellites(folder, options.satellite, size, seed);
+    progress.end();
+    std::cout << folder << ": seed " << seed << ", " << made << std::endl;
+    if (const int signal = Interruptible::signal()) return kSignalled + signal;
+  }
+  return kOk;
+}
+
 std::string percent_hidden(const cv::Mat1b& non_occluded) {
   const double seen = cv::countNonZero(non_occluded) / static_cast<double>(non_occluded.total());
   return fmt::format("{:.1f} %", 100 * (1 - seen));
@@ -92,6 +126,7 @@ int write_to_end(const fs::path& folder, const synthesis::GeneratedScene& scene,
 }
 
 int synth(const SynthOptions& options) {
+  if (options.satellite.satellite) return synth_satellites(options);
   synthesis::Options wanted = parse(options);
   prepare_folder(options);
   const ThreadLimit threads(options.threads);
@@ -135,7 +170,9 @@ void add_scene_options(Command command, SynthOptions& options) {
       .type_name("N")
       .range(1, kMaxScenes)
       .show_default();
-  command.option("--size", options.size, "Size of the images, px").type_name("WxH").show_default();
+  command.option("--size", options.size, "Size of the images, px; N with --satellite (1000)")
+      .type_name("WxH")
+      .show_default("640x480");
   command
       .option("--disparities", options.disparities,
               "Smallest and largest disparity there may be, px; may be negative")
@@ -170,6 +207,7 @@ void add_synth(CommandLine& line) {
   command.flag("--force", options->force,
                "Write into a folder that is not empty, and replace scenes of the same names");
   add_threads_option(command, options->threads);
+  add_satellite_options(command, options->satellite);
   command.footer(fault_help());
 }
 

@@ -152,6 +152,7 @@ class SurfacePipeline final : public SurfaceFamily {
     DisparityRange range = p_.range_prior(context, pair, dem);
     const MatchRequest matching{resample(pair, base_scale, match_scale), std::move(range), {}};
     const DisparityMap map = matched(matching, context);
+    if (request.matched) request.matched(pair, map);
     const PointGrid points = p_.triangulation(context, pair, map);
     append(cloud, points, map, matching.pair.base.planes.front(), *pair.geometry, window);
     seen.windows.push_back(remember(window, pair, matching, map, points));

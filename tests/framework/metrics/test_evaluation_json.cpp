@@ -5,7 +5,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "metrics/evaluation_json.hpp"
+#include "xgm/evaluation/evaluation_json.hpp"
 
 using namespace xgm;
 using Parsed = nlohmann::ordered_json;

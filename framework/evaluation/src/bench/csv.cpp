@@ -1,23 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // All figures of the region judged, one line per average and per cell.
-#include <cmath>
-
 #include "bench/table.hpp"
 #include "xgm/base/text.hpp"
 #include "xgm/evaluation/bench_tables.hpp"
 
 namespace xgm {
 namespace {
-
-/// Quoted if need be (RFC 4180).
-std::string field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
-  return out + "\"";
-}
-
-std::string number(double value) { return std::isfinite(value) ? short_number(value) : ""; }
 
 class Lines {
  public:
@@ -35,16 +23,16 @@ class Lines {
            std::size_t pipeline, std::size_t scenes, double weight, const BenchCell& cell) {
     for (const std::string& text :
          {kind, set, scene, result_.request.pipelines[pipeline].name,
-          std::string(state_text(cell.state)), std::to_string(scenes), number(weight)}) {
-      out_ += field(text) + ",";
+          std::string(state_text(cell.state)), std::to_string(scenes), csv_number(weight)}) {
+      out_ += csv_field(text) + ",";
     }
     const bool done = cell.state == CellState::done;
     for (const double value :
          {cell.seconds, cell.peak_bytes, cell.evaluations / cell.seconds / 1e6, cell.density}) {
-      out_ += (done ? number(value) : "") + ",";
+      out_ += (done ? csv_number(value) : "") + ",";
     }
     add_truth(cell);
-    out_ += field(cell.failure) + "\n";
+    out_ += csv_field(cell.failure) + "\n";
   }
 
   std::string text() const { return out_; }
@@ -59,10 +47,10 @@ class Lines {
     out_ += std::to_string(e->judged) + ",";
     for (const double value :
          {e->average_error, e->rms, e->a50, e->a90, e->a95, e->a99, e->d1, e->invalid}) {
-      out_ += number(value) + ",";
+      out_ += csv_number(value) + ",";
     }
     for (const ThresholdScore& score : e->at) {
-      out_ += number(score.bad) + "," + number(score.total) + ",";
+      out_ += csv_number(score.bad) + "," + csv_number(score.total) + ",";
     }
   }
 

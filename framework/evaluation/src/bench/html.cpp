@@ -4,53 +4,16 @@
 #include "xgm/evaluation/report.hpp"
 
 namespace xgm {
-namespace {
-
-std::string cell_html(const TableCell& cell) {
-  const std::string text = html_text(cell.text);
-  return cell.best ? "<td><b>" + text + "</b></td>" : "<td>" + text + "</td>";
-}
-
-std::string render(const Table& table) {
-  std::string out =
-      "<h2>" + html_text(table.title) + "</h2>\n<div class=\"bench\"><table>\n<thead><tr>";
-  for (const std::string& head : table.header) {
-    out += "<th scope=\"col\">" + html_text(head) + "</th>";
-  }
-  out += "</tr></thead>\n<tbody>\n";
-  for (const auto& row : table.rows) {
-    out += "<tr>";
-    for (std::size_t c = 0; c < row.size(); ++c) {
-      out += c < table.names ? "<th scope=\"row\">" + html_text(row[c].text) + "</th>"
-                             : cell_html(row[c]);
-    }
-    out += "</tr>\n";
-  }
-  out += "</tbody></table></div>\n";
-  for (const std::string& note : table.notes) out += "<p>" + html_text(note) + "</p>\n";
-  return out;
-}
-
-// Tables scroll within themselves on narrow screens.
-constexpr const char* kStyle =
-    "<style>.bench{overflow-x:auto}.bench table{border-collapse:collapse;"
-    "font-variant-numeric:tabular-nums}"
-    ".bench th,.bench td{padding:.15em .6em;border-bottom:1px solid #8886;white-space:nowrap;"
-    "text-align:right}.bench tbody th{font-weight:normal}"
-    ".bench th:nth-child(-n+2){text-align:left}.bench tbody tr:hover{background:#8883}</style>\n";
-
-}  // namespace
-
 std::string bench_tables_html(const BenchResult& result) {
-  std::string out = kStyle;
+  std::string out = kTableStyle;
   if (result.interrupted) out += "<p><b>Interrupted: not all has been run.</b></p>\n";
   out += "<p>";
   for (const std::string& text : explanations(result)) out += html_text(text) + "\n";
   out += "</p>\n";
-  for (const std::string& set : sets(result)) out += render(average_table(result, set));
+  for (const std::string& set : sets(result)) out += table_html(average_table(result, set));
   for (const std::string& set : sets(result)) {
     out += "<details><summary>" + html_text(set) + ", scene by scene</summary>\n" +
-           render(scene_table(result, set)) + "</details>\n";
+           table_html(scene_table(result, set)) + "</details>\n";
   }
   return out;
 }

@@ -14,27 +14,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kFormat = 1;
-constexpr const char* kMark = "cell.json";
-
-std::string in(const std::string& folder, const char* name) {
-  return (fs::path(folder) / name).string();
-}
-
-Json json(const FileIdentity& identity) {
-  return {{"bytes", identity.bytes}, {"fnv1a64", identity.fnv1a64}};
-}
-
-Json json(const std::vector<FileIdentity>& identities) {
-  Json list = Json::array();
-  for (const FileIdentity& identity : identities) list.push_back(json(identity));
-  return list;
-}
-
-/// What a bench reads of a run.
-Json results(const std::string& folder) {
-  return {{"run.json", json(identify_file(in(folder, "run.json")))},
-          {"disparity.pfm", json(identify_file(in(folder, "disparity.pfm")))}};
-}
 
 }  // namespace
 
@@ -65,10 +44,10 @@ void identify_images(std::vector<BenchScene>& scenes) {
 std::string cell_identity(const BenchRequest& request, std::size_t pipeline, std::size_t scene) {
   const BenchScene& where = request.scenes[scene];
   Json identity{{"format", kFormat},
-                {"program", json(request.program)},
+                {"program", identity_json(request.program)},
                 {"opencv", CV_VERSION},
                 {"pipeline", Json::parse(request.pipelines[pipeline].resolved)},
-                {"images", json(where.images)},
+                {"images", identity_json(where.images)},
                 {"threads", request.threads}};
   if (where.files.disparities) {
     identity["disparities"] = {where.files.disparities->begin, where.files.disparities->end};
@@ -77,32 +56,9 @@ std::string cell_identity(const BenchRequest& request, std::size_t pipeline, std
 }
 
 std::vector<std::string> cell_files(const std::string& folder) {
-  std::vector<std::string> files;
-  for (const char* name : kMapFiles) files.push_back(in(folder, name));
-  for (const char* name : {"run.json", kMark, kCellLog}) files.push_back(in(folder, name));
+  std::vector<std::string> files = job_files(folder);
+  for (const char* name : kMapFiles) files.push_back((fs::path(folder) / name).string());
   return files;
-}
-
-bool is_done(const std::string& folder, const std::string& identity) {
-  try {
-    const Json mark = Json::parse(read_file(in(folder, kMark)));
-    return mark.at("identity").dump() == identity &&
-           mark.at("results").dump() == results(folder).dump();
-  } catch (const std::exception&) {
-    return false;  // missing, or cut short: run it again
-  }
-}
-
-void begin_cell(const std::string& folder) {
-  std::error_code failure;
-  fs::create_directories(folder, failure);
-  if (failure) throw Error(folder + ": cannot be made: " + failure.message());
-  for (const char* name : {kMark, "run.json"}) fs::remove(in(folder, name), failure);
-}
-
-void mark_done(const std::string& folder, const std::string& identity) {
-  const Json mark{{"identity", Json::parse(identity)}, {"results", results(folder)}};
-  write_file(in(folder, kMark), mark.dump(2) + "\n");
 }
 
 }  // namespace xgm

@@ -2,8 +2,8 @@
 // All that a bench knows, as JSON.
 #include "xgm/base/json.hpp"
 #include "bench/table.hpp"
-#include "metrics/evaluation_json.hpp"
 #include "xgm/evaluation/bench_tables.hpp"
+#include "xgm/evaluation/evaluation_json.hpp"
 #include "xgm/plugin/version.hpp"
 
 namespace xgm {

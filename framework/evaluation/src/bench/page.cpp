@@ -5,9 +5,9 @@
 #include <filesystem>
 
 #include "bench/judge.hpp"
-#include "metrics/evaluation_json.hpp"
 #include "xgm/base/json.hpp"
 #include "xgm/evaluation/bench_tables.hpp"
+#include "xgm/evaluation/evaluation_json.hpp"
 #include "xgm/evaluation/report.hpp"
 #include "xgm/io/image_io.hpp"
 #include "xgm/io/scene.hpp"

@@ -14,6 +14,7 @@
 
 #include "xgm/base/error.hpp"
 #include "xgm/evaluation/bench_process.hpp"
+#include "xgm/io/file.hpp"
 
 extern char** environ;  // POSIX has no header for it
 

@@ -6,12 +6,9 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <map>
 
 namespace xgm {
 namespace {
-
-enum class Best { lowest, highest, none };
 
 struct Column {
   std::string head;
@@ -79,23 +76,10 @@ void add_figures(std::vector<TableCell>& row, const std::vector<Column>& columns
   }
 }
 
-/// Marks the best of each column among `rows`, if there are several. What looks the same is the
-/// same.
-void mark_best(const std::vector<std::vector<TableCell>*>& rows, std::size_t names,
-               const std::vector<Column>& columns) {
-  if (rows.size() < 2) return;
-  for (std::size_t c = 0; c < columns.size(); ++c) {
-    if (columns[c].best == Best::none) continue;
-    std::map<double, std::vector<TableCell*>> ranking;
-    for (std::vector<TableCell>* row : rows) {
-      TableCell& cell = (*row)[names + c];
-      if (cell.text != kNoFigure) ranking[std::stod(cell.text)].push_back(&cell);
-    }
-    if (ranking.empty()) continue;
-    auto& best =
-        columns[c].best == Best::lowest ? ranking.begin()->second : ranking.rbegin()->second;
-    for (TableCell* cell : best) cell->best = true;
-  }
+std::vector<Best> directions(const std::vector<Column>& columns) {
+  std::vector<Best> best;
+  for (const Column& column : columns) best.push_back(column.best);
+  return best;
 }
 
 std::vector<std::vector<TableCell>*> pointers(std::vector<std::vector<TableCell>>& rows) {
@@ -185,23 +169,6 @@ std::string average_title(const BenchResult& result, const std::string& set,
 
 }  // namespace
 
-const char* state_text(CellState state) {
-  switch (state) {
-    case CellState::done:
-      return "done";
-    case CellState::failed:
-      return "failed";
-    case CellState::not_run:
-      return "not run";
-  }
-  return "";
-}
-
-std::string figure_text(double value, int decimals) {
-  if (!std::isfinite(value)) return kNoFigure;
-  return fixed_number(value, decimals);
-}
-
 Table average_table(const BenchResult& result, const std::string& set) {
   const std::vector<Column> figures = columns(result);
   const std::vector<std::size_t> scenes = scenes_of(result, set);
@@ -221,7 +188,7 @@ Table average_table(const BenchResult& result, const std::string& set) {
   }
   std::vector<std::vector<TableCell>*> rows;
   for (const std::size_t i : comparable) rows.push_back(&table.rows[i]);
-  mark_best(rows, table.names, figures);
+  mark_best(rows, table.names, directions(figures));
   note_missing(table, result, scenes);
   note_regions(table, result, scenes);
   return table;
@@ -239,7 +206,7 @@ Table scene_table(const BenchResult& result, const std::string& set) {
       row = {{result.request.scenes[scene].files.name}, {result.request.pipelines[i].name}};
       add_figures(row, figures, result.at(i, scene));
     }
-    mark_best(pointers(rows), table.names, figures);
+    mark_best(pointers(rows), table.names, directions(figures));
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const CellState state = result.at(i, scene).state;
       if (state != CellState::done) rows[i][table.names].text = state_text(state);

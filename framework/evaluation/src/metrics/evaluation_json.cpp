@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "metrics/evaluation_json.hpp"
+#include "xgm/evaluation/evaluation_json.hpp"
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace xgm {
@@ -39,6 +40,21 @@ Json to_json(const RegionEvaluation& region) {
         {{"delta_px", score.delta}, {"bad", score.bad}, {"total", score.total}});
   }
   return json;
+}
+
+Evaluation evaluation_of(const Json& region) {
+  const auto figure = [](const Json& json, const char* name) {
+    const Json& value = json.at(name);
+    return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.number();
+  };
+  Evaluation evaluation;
+  evaluation.judged = static_cast<std::int64_t>(region.at("judged_pixels").number());
+  for (const auto& [name, member] : kFigures) evaluation.*member = figure(region, name);
+  for (const Json& score : region.at("thresholds")) {
+    evaluation.at.push_back(
+        {figure(score, "delta_px"), figure(score, "bad"), figure(score, "total")});
+  }
+  return evaluation;
 }
 
 Json to_json(const std::vector<RegionEvaluation>& evaluations) {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "metrics/evaluation_json.hpp"
 #include "xgm/base/json.hpp"
+#include "xgm/evaluation/evaluation_json.hpp"
 #include "xgm/evaluation/record_json.hpp"
 #include "xgm/plugin/version.hpp"
 

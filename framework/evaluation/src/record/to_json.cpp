@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "metrics/evaluation_json.hpp"
 #include "xgm/base/json.hpp"
+#include "xgm/evaluation/evaluation_json.hpp"
 #include "xgm/evaluation/record_json.hpp"
 #include "xgm/evaluation/run_record.hpp"
 

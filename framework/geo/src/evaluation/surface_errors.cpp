@@ -90,6 +90,14 @@ void remove_filled(Raster& surface, const Raster& source) {
   surface.values.setTo(kNone, source.values == kFilled);
 }
 
+Json to_json(const SurfaceErrors& errors) {
+  // JSON has no NaN: it writes null.
+  return {{"truth_cells", errors.truth_cells},      {"cells", errors.cells},
+          {"completeness", errors.completeness},    {"coverage", errors.coverage},
+          {"median_error_m", errors.median_error},  {"rmse_m", errors.rmse},
+          {"signed_median_m", errors.signed_median}};
+}
+
 cv::Mat1f on_grid_of(const Raster& surface, const Raster& truth) {
   if (surface.crs.empty() && truth.crs.empty()) return surface.values;
   if (surface.crs.empty() != truth.crs.empty()) {

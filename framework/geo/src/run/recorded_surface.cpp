@@ -8,11 +8,14 @@
 #include <memory>
 #include <set>
 
+#include "run/search_volume.hpp"
 #include "run/surface_outputs.hpp"
+#include "run/truth_record.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/base/json.hpp"
 #include "xgm/base/memory.hpp"
 #include "xgm/base/parallel.hpp"
+#include "xgm/evaluation/evaluation_json.hpp"
 #include "xgm/evaluation/record_json.hpp"
 #include "xgm/evaluation/run_folder.hpp"
 #include "xgm/geo/ground/dem.hpp"
@@ -31,6 +34,7 @@ std::vector<NamedFile> files_read(const Pipeline& pipeline, const SurfaceFiles& 
   for (const std::string& cloud : files.clouds) read.push_back({"cloud", cloud});
   for (const std::string& mask : files.masks) read.push_back({"mask", mask});
   if (!files.dem.empty()) read.push_back({"DEM", dem_file(files.dem)});
+  if (!files.truth.empty()) read.push_back({"truth", files.truth});
   read.insert(read.end(), request.inputs.begin(), request.inputs.end());
   return read;
 }
@@ -74,11 +78,16 @@ SurfaceRequest read_request(const SurfaceFiles& files) {
   return request;
 }
 
-/// The surface, of images or of clouds.
+/// The surface, of images or of clouds. `truth`, unless null, is told of all that is matched.
 std::function<SurfaceResult(const Context&)> make_job(const SurfaceFamily& family,
-                                                      const SurfaceFiles& files) {
+                                                      const SurfaceFiles& files,
+                                                      TruthRecord* truth) {
   if (files.clouds.empty()) {
-    return [&family, request = read_request(files)](const Context& context) {
+    SurfaceRequest images = read_request(files);
+    if (truth != nullptr) {
+      images.matched = [truth](const auto&... window) { truth->add(window...); };
+    }
+    return [&family, request = std::move(images)](const Context& context) {
       return family.run(request, context);
     };
   }
@@ -88,6 +97,13 @@ std::function<SurfaceResult(const Context&)> make_job(const SurfaceFamily& famil
   return [&family, request](const Context& context) {
     return family.rasterise(std::move(*request), context);
   };
+}
+
+Json truth_json(const SurfaceTruth& truth) {
+  Json json = Json::object();
+  if (truth.surface) json["surface"] = to_json(*truth.surface);
+  if (!truth.disparities.empty()) json["disparities"] = to_json(truth.disparities);
+  return json;
 }
 
 /// What is wrong goes to the record, too.
@@ -115,11 +131,15 @@ RecordedSurface record_surface(const Pipeline& pipeline, const SurfaceFiles& fil
   const std::vector<NamedFile> inputs = files_read(pipeline, files, request);
   RunFolder folder(request.folder, files_written(files, request.folder), inputs);
   request.tell(files.clouds.empty() ? "reading the images" : "reading the clouds");
-  const auto job = make_job(*family, files);
+  std::optional<TruthRecord> truth;
+  if (!files.truth.empty()) truth.emplace(files.truth);
+  const auto job = make_job(*family, files, truth ? &*truth : nullptr);
   RunRecorder recorder;
+  SearchVolume search;
   Warnings warnings;
   Observers observers;
   observers.add(recorder);
+  observers.add(search);
   observers.add(warnings);
   if (options.observer != nullptr) observers.add(*options.observer);
   RunOptions watched = options;
@@ -151,6 +171,11 @@ RecordedSurface record_surface(const Pipeline& pipeline, const SurfaceFiles& fil
   json["threads"] = options.threads > 0 ? options.threads : thread_count();
   json["seconds"] = recorded.seconds;
   json["peak_memory_bytes"] = peak_memory();
+  json["search"] = {{"disparities_per_pixel", search.per_pixel()}, {"widest", search.widest()}};
+  if (truth) {
+    recorded.truth = truth->judge(recorded.result, warnings.all);
+    json["truth"] = truth_json(recorded.truth);
+  }
   json["stages"] = to_json(recorder.stages());
   json["warnings"] = warnings.all;
   json["outputs"] = to_json(folder.outputs());

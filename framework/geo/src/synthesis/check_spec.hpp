@@ -7,6 +7,7 @@
 namespace xgm::geo {
 
 /// Throws UsageError, which names the value and its range.
+void require_within(const std::string& name, double value, double low, double high);
 void check(const SatelliteSceneSpec& spec);
 
 }  // namespace xgm::geo

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "xgm/base/error.hpp"
+#include "synthesis/relief.hpp"
 #include "xgm/base/parallel.hpp"
 #include "xgm/base/random.hpp"
 #include "xgm/synthesis/arithmetic.hpp"
@@ -66,37 +66,6 @@ void make_ground(const SatelliteSceneSpec& spec, Landscape& land, cv::Size size)
   });
 }
 
-int mirrored(double position, int length) {
-  const int period = 2 * length;
-  const int i = (static_cast<int>(std::floor(position)) % period + period) % period;
-  return i < length ? i : period - 1 - i;
-}
-
-/// The file's middle lies in the middle of the grid. Cells are copied if both have one posting.
-void take_relief(const SatelliteSceneSpec& spec, Landscape& land, cv::Size size) {
-  const Raster relief = read_raster(spec.relief_file);
-  const double scale = spec.posting / spec.relief_posting;
-  float lowest = INFINITY;
-  for (const float height : relief.values) {
-    if (std::isfinite(height)) lowest = std::min(lowest, height);
-  }
-  if (!std::isfinite(lowest)) throw Error(spec.relief_file + ": has no heights");
-  const auto height = [&](int x, int y) {
-    const float value =
-        relief.values(mirrored(y, relief.values.rows), mirrored(x, relief.values.cols));
-    return std::isfinite(value) ? double{value - lowest} : 0.0;
-  };
-  land.heights = map_cells(land.place, size, [&](cv::Point2d, int row, int column) {
-    const double x = (column - size.width / 2) * scale + relief.values.cols / 2;
-    const double y = (row - size.height / 2) * scale + relief.values.rows / 2;
-    const int i = static_cast<int>(std::floor(x)), j = static_cast<int>(std::floor(y));
-    const double u = x - i, v = y - j;
-    return spec.lowest + (1 - v) * ((1 - u) * height(i, j) + u * height(i + 1, j)) +
-           v * ((1 - u) * height(i, j + 1) + u * height(i + 1, j + 1));
-  });
-  land.flat = cv::Mat1b(size, std::uint8_t{0});
-}
-
 }  // namespace
 
 std::uint64_t lattice_key(std::uint64_t key, std::int64_t i, std::int64_t j) {
@@ -118,15 +87,9 @@ double fractal_noise(std::uint64_t key, double x, double y, double wavelength, d
 
 HeightInterval ground_heights(const SatelliteSceneSpec& spec) {
   if (spec.relief_file.empty()) return {spec.lowest, spec.lowest + spec.relief + kHighestObject};
-  const Raster relief = read_raster(spec.relief_file);
-  double low = INFINITY, high = -INFINITY;
-  for (const float height : relief.values) {
-    if (!std::isfinite(height)) continue;
-    low = std::min(low, double{height});
-    high = std::max(high, double{height});
-  }
-  if (low > high) throw Error(spec.relief_file + ": has no heights");
-  return {spec.lowest, spec.lowest + high - low};
+  const Raster relief = read_relief(spec);
+  const float highest = *std::max_element(relief.values.begin(), relief.values.end());
+  return {spec.lowest, spec.lowest + double{highest}};
 }
 
 Landscape make_landscape(const SatelliteSceneSpec& spec, const GridPlace& place, cv::Size size) {
@@ -140,7 +103,7 @@ Landscape make_landscape(const SatelliteSceneSpec& spec, const GridPlace& place,
     add_buildings(spec, land);
     add_trees(spec, land);
   } else {
-    take_relief(spec, land, size);
+    take_relief(spec, land);
   }
   return land;
 }

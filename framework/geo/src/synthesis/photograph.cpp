@@ -98,6 +98,39 @@ class Scenery {
   cv::Vec3d sun_;  // to the sun: east, north and up of the map
 };
 
+/// A camera around a place: over some metres it is affine to 1e-3 px, and the direction to the
+/// satellite changes by 1e-5 only.
+struct NearbyCamera {
+  cv::Vec3d place;     // of the map
+  cv::Point2d pixel;   // where it is seen
+  cv::Matx23d slopes;  // px per m
+  cv::Vec3d way;       // towards the satellite
+
+  static std::optional<NearbyCamera> at(const PushbroomCamera& camera, const MapFrame& frame,
+                                        const cv::Vec3d& place) {
+    constexpr double kWay = 500, kAside = 10;  // m
+    const cv::Vec3d ecef = frame.to_ecef(place);
+    const auto pixel = camera.project(ecef);
+    if (!pixel) return std::nullopt;
+    NearbyCamera here{place, *pixel, {}, {}};
+    for (int axis = 0; axis < 3; ++axis) {
+      cv::Vec3d aside = place;
+      aside[axis] += kAside;
+      const auto seen = camera.project(frame.to_ecef(aside));
+      if (!seen) return std::nullopt;
+      here.slopes(0, axis) = (seen->x - pixel->x) / kAside;
+      here.slopes(1, axis) = (seen->y - pixel->y) / kAside;
+    }
+    here.way = frame.to_map(ecef - kWay * camera.sight(*pixel).direction) - place;
+    return here;
+  }
+
+  cv::Point2d project(const cv::Vec3d& other) const {
+    const cv::Vec2d moved = slopes * (other - place);
+    return pixel + cv::Point2d(moved[0], moved[1]);
+  }
+};
+
 }  // namespace
 
 Photograph photograph(const SatelliteSceneSpec& spec, int number, const Landscape& land,
@@ -131,25 +164,25 @@ Photograph photograph(const SatelliteSceneSpec& spec, int number, const Landscap
 cv::Mat1b visible_cells(const PushbroomCamera& camera, const Landscape& land,
                         const HeightGrid& grid, const MapFrame& frame) {
   const cv::Size size = land.heights.size();
+  const cv::Rect2d image(-0.5, -0.5, camera.spec().size.width, camera.spec().size.height);
   cv::Mat1b visible(size, std::uint8_t{0});
-  // Over a few metres the direction to the satellite changes by 1e-5 only.
+  const auto place = [&](int column, int row) {
+    const cv::Point2d centre = land.place.centre(column, row);
+    return cv::Vec3d(centre.x, centre.y, double{land.heights(row, column)});
+  };
   constexpr int kStep = 8;
   parallel_for(0, (size.height + kStep - 1) / kStep, [&](int block) {
     for (int left = 0; left < size.width; left += kStep) {
       const cv::Rect cells = cv::Rect(left, block * kStep, kStep, kStep) & cv::Rect({}, size);
-      const cv::Point2d centre = land.place.centre(left, block * kStep);
-      const cv::Vec3d here(centre.x, centre.y, double{land.heights(block * kStep, left)});
-      const cv::Vec3d ecef = frame.to_ecef(here);
-      const auto pixel = camera.project(ecef);
-      if (!pixel) continue;
-      constexpr double kWay = 500;  // m
-      const cv::Vec3d way = frame.to_map(ecef - kWay * camera.sight(*pixel).direction) - here;
+      const auto here = NearbyCamera::at(camera, frame, place(left, block * kStep));
+      if (!here) continue;
       for (int k = 0; k < cells.area(); ++k) {
         const int row = cells.y + k / cells.width, column = cells.x + k % cells.width;
-        const cv::Point2d p = land.place.centre(column, row);
-        const cv::Vec3d from(p.x, p.y, double{land.heights(row, column)} + kLift);
-        const double up = (grid.highest() + 1 - from[2]) / way[2];
-        visible(row, column) = grid.first_hit(from, from + up * way) ? 0 : 255;
+        cv::Vec3d from = place(column, row);
+        if (!image.contains(here->project(from))) continue;
+        from[2] += kLift;
+        const double up = (grid.highest() + 1 - from[2]) / here->way[2];
+        visible(row, column) = grid.first_hit(from, from + up * here->way) ? 128 : 255;
       }
     }
   });

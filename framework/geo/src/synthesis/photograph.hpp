@@ -2,7 +2,7 @@
 // What an image shows: sights meet the surface, under the sun of its date.
 #pragma once
 
-#include "synthesis/height_grid.hpp"
+#include "ground/height_grid.hpp"
 #include "synthesis/landscape.hpp"
 #include "synthesis/map_frame.hpp"
 
@@ -17,7 +17,8 @@ struct Photograph {
 Photograph photograph(const SatelliteSceneSpec& spec, int number, const Landscape& land,
                       const HeightGrid& grid, const Sights& sights, const MapFrame& frame);
 
-/// 255 for the cells of the surface that the camera sees, in the image or beside it.
+/// 255 for the cells of the surface that the image shows, 128 for those that would be in it if
+/// nothing stood before them, 0 for those beside it.
 cv::Mat1b visible_cells(const PushbroomCamera& camera, const Landscape& land,
                         const HeightGrid& grid, const MapFrame& frame);
 

@@ -15,6 +15,11 @@ namespace {
 
 namespace fs = std::filesystem;
 const char* const kRecord = "scene.yaml";
+const char* const kAbout =
+    "# A generated satellite scene. Its surface is known exactly: truth; visible: 255 where an\n"
+    "# image shows a cell of it, 128 where something stands before it, 0 beside the image.\n"
+    "# pointing_error is what the camera of an image says minus what is true, px, along its\n"
+    "# epipolar lines and across; error and bias of the dem are in m.\n";
 
 void require(bool done, const std::string& file) {
   if (!done) throw Error(file + ": cannot be written: " + QuietGdal::message());
@@ -114,6 +119,7 @@ void write_satellite_scene(const std::string& folder, const SatelliteScene& scen
   const fs::path path(folder);
   clear(path);
   const auto file = [&](const std::string& name) { return (path / name).string(); };
+  YAML::Node files;
   for (std::size_t i = 0; i < scene.images.size(); ++i) {
     const std::string number = std::to_string(i + 1);
     write_image(file("image_" + number + ".tif"), scene.images[i], scene.views[i].delivered,
@@ -121,14 +127,18 @@ void write_satellite_scene(const std::string& folder, const SatelliteScene& scen
     Raster visible{{}, scene.surface.place, scene.surface.crs, {}};
     scene.visible[i].convertTo(visible.values, CV_32F);
     write_raster(file("visible_" + number + ".tif"), visible);
+    files["images"].push_back("image_" + number + ".tif");
+    files["visible"].push_back("visible_" + number + ".tif");
   }
+  files["dem"] = "dem.tif";
+  files["truth"] = "dsm.tif";
+  files["generated"] = record_of(scene);
   write_raster(file("dsm.tif"), scene.surface);
   write_raster(file("dem.tif"), scene.dem);
   YAML::Emitter text;
   text.SetDoublePrecision(17);
-  text << record_of(scene);
-  write_file(file(kRecord), "# A generated satellite scene; its true surface is dsm.tif.\n" +
-                                std::string(text.c_str()) + "\n");
+  text << files;
+  write_file(file(kRecord), kAbout + std::string(text.c_str()) + "\n");
 }
 
 }  // namespace xgm::geo

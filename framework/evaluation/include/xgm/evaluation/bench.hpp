@@ -10,6 +10,7 @@
 
 #include "xgm/base/export.hpp"
 #include "xgm/data/scene_files.hpp"
+#include "xgm/evaluation/bench_jobs.hpp"
 #include "xgm/evaluation/metrics.hpp"
 #include "xgm/io/file.hpp"
 #include "xgm/pipeline/pipeline.hpp"
@@ -86,8 +87,6 @@ XGM_API void name_folders(std::vector<BenchPipeline>& pipelines);
 XGM_API std::vector<FileIdentity> identify_program(const std::string& program,
                                                    const std::vector<std::string>& plugins);
 
-enum class CellState { not_run, failed, done };
-
 /// One pipeline on one scene.
 struct BenchCell {
   CellState state = CellState::not_run;
@@ -113,22 +112,6 @@ struct XGM_API BenchResult {
   bool any_done(std::size_t scene) const;
 };
 
-/// The outcome of one run.
-struct RunOutcome {
-  bool interrupted = false;
-  std::string failure;  ///< empty if the run succeeded
-};
-
-/// The progress of a bench.
-struct BenchProgress {
-  std::size_t number = 0;  ///< of the cell, counted from 1
-  std::size_t total = 0;
-  std::string pipeline, scene;
-  bool finished = false;     ///< else it is about to begin
-  const BenchCell* cell{};   ///< if finished
-  double seconds_left = -1;  ///< negative: not known yet
-};
-
 struct BenchHooks {
   /// Runs a pipeline on a scene, and writes the files of `pipeline run` to the folder.
   std::function<RunOutcome(const BenchPipeline&, const BenchScene&, const std::string& folder)> run;
@@ -138,9 +121,6 @@ struct BenchHooks {
 /// The folder of one cell: OUTPUT/PIPELINE/SET/SCENE.
 XGM_API std::string cell_folder(const BenchRequest& request, std::size_t pipeline,
                                 std::size_t scene);
-
-/// The log of a cell's run, in its folder.
-inline constexpr const char* kCellLog = "log.txt";
 
 /// The files that a bench and its runs write to the folder of a cell.
 XGM_API std::vector<std::string> cell_files(const std::string& folder);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "xgm/base/export.hpp"
-#include "xgm/evaluation/bench.hpp"
+#include "xgm/evaluation/bench_jobs.hpp"
 
 namespace xgm {
 

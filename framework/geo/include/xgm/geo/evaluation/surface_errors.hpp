@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "xgm/base/json.hpp"
 #include "xgm/geo/ground/raster.hpp"
 
 namespace xgm::geo {
@@ -32,5 +33,8 @@ XGM_API void remove_filled(Raster& surface, const Raster& source);
 /// at the centres of the truth's cells, its heights taken from its datum to the truth's if both say
 /// theirs. Throws UsageError if only one of the two has a georeference.
 XGM_API cv::Mat1f on_grid_of(const Raster& surface, const Raster& truth);
+
+/// For records; figures that are not known are null.
+XGM_API Json to_json(const SurfaceErrors& errors);
 
 }  // namespace xgm::geo

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "xgm/evaluation/metrics.hpp"
+#include "xgm/geo/evaluation/surface_errors.hpp"
 #include "xgm/geo/stage/surface_family.hpp"
 #include "xgm/io/scene.hpp"
 #include "xgm/pipeline/pipeline.hpp"
@@ -20,6 +22,7 @@ struct SurfaceFiles {
   std::optional<cv::Vec4d> area{};   ///< west, south, east, north, degrees
   /// Clouds of earlier runs in place of images: nothing is matched, the surface is made of them.
   std::vector<std::string> clouds{};
+  std::string truth{};               ///< raster of true heights to compare with; empty: none
 };
 
 struct SurfaceRecordRequest {
@@ -31,10 +34,17 @@ struct SurfaceRecordRequest {
   std::function<void(const std::string&)> tell = [](const std::string&) {};
 };
 
+/// How a run compares with the true heights of SurfaceFiles::truth.
+struct SurfaceTruth {
+  std::optional<SurfaceErrors> surface{};       ///< of the fused surface
+  std::vector<RegionEvaluation> disparities{};  ///< of all pairs, see DisparityJudge
+};
+
 struct RecordedSurface {
   SurfaceResult result;
   double covered = 0;   ///< share of the grid's cells that have a height
   double seconds = 0;   ///< of the run, without writing
+  SurfaceTruth truth;   ///< empty without a truth
   std::string failure;  ///< why the surface is of no use; empty if it has a height anywhere
 };
 

@@ -2,9 +2,11 @@
 // Pipelines from satellite images to a surface: `type: surface` at the top of a file.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "xgm/geo/image/point_cloud.hpp"
+#include "xgm/geo/image/rectified_pair.hpp"
 #include "xgm/geo/stage/cell_reason.hpp"
 #include "xgm/geo/stage/fusion.hpp"
 #include "xgm/geo/stage/pairs.hpp"
@@ -18,6 +20,8 @@ struct SurfaceRequest {
   std::shared_ptr<const HeightField> dem{};  ///< may be null
   /// West, south, east, north, degrees; empty: what the first image shows.
   std::optional<cv::Vec4d> area{};
+  /// Told of every window when it has been matched.
+  std::function<void(const RectifiedPair&, const DisparityMap&)> matched{};
 };
 
 /// Clouds of an earlier run, to be made a surface of again.

@@ -42,9 +42,10 @@ struct SatelliteSceneSpec {
   double buildings = 0.5;  ///< share of the lots on flat ground that are built on
   double woods = 0.25;     ///< share of the ground that has trees
   double cars = 0.3;       ///< share of the places on flat ground where a car stands at a date
-  std::string
-      relief_file;  ///< a raster of heights in place of the generated landscape; may be empty
-  double relief_posting = 0.3;  ///< of that raster, m
+  /// A raster of heights in place of the generated landscape; may be empty. What stands on its
+  /// ground is a roof where it is smooth, else a tree.
+  std::string relief_file;
+  double relief_posting = 0.3;  ///< of that raster if it has no georeference, m
 
   double rpc_below = 60, rpc_above = 60;  ///< what the RPCs reach below and above the surface, m
   double dem_posting = 30;                ///< of the coarse DEM, m
@@ -75,7 +76,9 @@ struct SatelliteScene {
   Raster dem;                      ///< in its datum
   std::vector<cv::Mat1w> images;   ///< grey levels, 0 to 2047
   std::vector<cv::Mat1f> heights;  ///< of what the centres of the images' pixels show, m
-  std::vector<cv::Mat1b> visible;  ///< 255 where an image shows a cell of the surface, else 0
+  /// Where each image shows a cell of the surface: 255; 128 where something stands before it; 0
+  /// beside the image.
+  std::vector<cv::Mat1b> visible;
 };
 
 /// Throws UsageError, which names the value that is out of its range.
@@ -86,8 +89,8 @@ XGM_API SatelliteCameras make_satellite_cameras(const SatelliteSceneSpec& spec);
 XGM_API SatelliteScene make_satellite_scene(const SatelliteSceneSpec& spec);
 
 /// image_1.tif, ... (16 bit, with RPC tags as delivered), dsm.tif, visible_1.tif, ..., dem.tif, and
-/// scene.yaml with all of the spec and the residuals, which is written last. Throws UsageError if
-/// the folder holds anything but such a scene.
+/// scene.yaml with the files' names and all of the spec and the residuals, which is written last.
+/// Throws UsageError if the folder holds anything but such a scene.
 XGM_API void write_satellite_scene(const std::string& folder, const SatelliteScene& scene);
 
 }  // namespace xgm::geo

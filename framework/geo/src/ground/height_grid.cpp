@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "synthesis/height_grid.hpp"
+#include "ground/height_grid.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Evaluations as JSON: one form for run.json, `pipeline eval` and `pipeline bench`. Figures that
-// are not known (NaN) are null. docs/evaluate.md lists the fields. Exported for the tests only: the
-// header is not installed.
+// are not known (NaN) are null. docs/evaluate.md lists the fields.
 #pragma once
 
 #include "xgm/base/json.hpp"
@@ -12,7 +11,9 @@ namespace xgm {
 
 XGM_API Json to_json(const RegionEvaluation& evaluation);
 XGM_API Json to_json(const std::vector<RegionEvaluation>& evaluations);
+/// What to_json made of an evaluation. Throws Error if it is none.
+XGM_API Evaluation evaluation_of(const Json& region);
 
-Json to_json(const RegionSparsification& sparsification);
+XGM_API Json to_json(const RegionSparsification& sparsification);
 
 }  // namespace xgm
