@@ -106,6 +106,26 @@ Json truth_json(const SurfaceTruth& truth) {
   return json;
 }
 
+Json record_of(const Pipeline& pipeline, const SurfaceRecordRequest& request,
+               const std::vector<NamedFile>& inputs, const RecordedSurface& recorded,
+               const RunOptions& options) {
+  Json json;
+  json["format"] = 1;
+  json["versions"] = versions_json();
+  json["command_line"] = request.command_line;
+  json["pipeline"] = {{"file", pipeline.file()},
+                      {"overrides", to_json(request.overrides)},
+                      {"resolved", Json::parse(pipeline.resolved_json())}};
+  json["scene"] = {{"inputs", to_json(identify_files(inputs))}};
+  json["grid"] = grid_json(recorded.result.grid);
+  json["pairs"] = pairs_json(recorded.result);
+  json["covered_share"] = recorded.covered;
+  json["cells"] = cells_json(recorded.result);
+  json["threads"] = options.threads > 0 ? options.threads : thread_count();
+  json["seconds"] = recorded.seconds;
+  return json;
+}
+
 /// What is wrong goes to the record, too.
 class Warnings final : public Observer {
  public:
@@ -156,20 +176,7 @@ RecordedSurface record_surface(const Pipeline& pipeline, const SurfaceFiles& fil
   request.tell("writing the results");
   folder.begin();
   write_outputs(recorded.result, folder);
-  Json json;
-  json["format"] = 1;
-  json["versions"] = versions_json();
-  json["command_line"] = request.command_line;
-  json["pipeline"] = {{"file", pipeline.file()},
-                      {"overrides", to_json(request.overrides)},
-                      {"resolved", Json::parse(pipeline.resolved_json())}};
-  json["scene"] = {{"inputs", to_json(identify_files(inputs))}};
-  json["grid"] = grid_json(recorded.result.grid);
-  json["pairs"] = pairs_json(recorded.result);
-  json["covered_share"] = recorded.covered;
-  json["cells"] = cells_json(recorded.result);
-  json["threads"] = options.threads > 0 ? options.threads : thread_count();
-  json["seconds"] = recorded.seconds;
+  Json json = record_of(pipeline, request, inputs, recorded, options);
   json["peak_memory_bytes"] = peak_memory();
   json["search"] = {{"disparities_per_pixel", search.per_pixel()}, {"widest", search.widest()}};
   if (truth) {
