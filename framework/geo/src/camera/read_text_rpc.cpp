@@ -21,21 +21,40 @@ std::string read_text(const std::string& file) {
   return text;
 }
 
-/// Every list and value of a dictionary, whatever it lies in: JSON is YAML too.
-void add_dictionary(const YAML::Node& node, RpcFields& fields) {
-  if (!node.IsMap()) return;
-  for (const auto& entry : node) {
-    if (!entry.first.IsScalar()) continue;
-    const YAML::Node& value = entry.second;
+/// Adds every list and value of a dictionary, whatever it lies in: JSON is YAML too. Aliases can
+/// make a small text endless: so many entries are read at most.
+class Dictionary {
+ public:
+  Dictionary(const std::string& file, RpcFields& fields) : file_(file), fields_(fields) {}
+
+  void add(const YAML::Node& node, int depth = 0) {
+    if (!node.IsMap()) return;
+    if (depth > kMaxDepth) throw Error(file_ + ": its dictionaries lie too deep in each other");
+    for (const auto& entry : node) {
+      if (++entries_ > kMaxEntries) throw Error(file_ + ": is too large for an RPC model");
+      if (!entry.first.IsScalar()) continue;
+      fields_.add(entry.first.Scalar(), text_of(entry.second));
+      add(entry.second, depth + 1);
+    }
+  }
+
+ private:
+  static constexpr int kMaxDepth = 32;
+  static constexpr int kMaxEntries = 10000;
+
+  static std::string text_of(const YAML::Node& value) {
+    if (value.IsScalar()) return value.Scalar();
     std::string text;
-    if (value.IsScalar()) text = value.Scalar();
     if (value.IsSequence()) {
       for (const auto& item : value) text += item.IsScalar() ? item.Scalar() + " " : "nan ";
     }
-    fields.add(entry.first.Scalar(), text);
-    add_dictionary(value, fields);
+    return text;
   }
-}
+
+  const std::string& file_;
+  RpcFields& fields_;
+  int entries_ = 0;
+};
 
 /// "KEY: value" or "key = value;" line by line. A list may go over several lines, in brackets.
 void add_lines(const std::string& text, RpcFields& fields) {
@@ -47,9 +66,9 @@ void add_lines(const std::string& text, RpcFields& fields) {
     const std::size_t begin = line.find_first_not_of(" \t");
     const std::size_t last = line.find_last_not_of(" \t", end - 1);
     if (begin >= end) continue;
-    std::string value = line.substr(end + 1), more;
-    while (value.find('(') != std::string::npos && value.find(')') == std::string::npos &&
-           std::getline(lines, more)) {
+    std::string value = line.substr(end + 1), more = value;
+    const bool is_list = value.find('(') != std::string::npos;
+    while (is_list && more.find(')') == std::string::npos && std::getline(lines, more)) {
       value += more;
     }
     fields.add(std::string_view(line).substr(begin, last - begin + 1), value);
@@ -65,7 +84,7 @@ std::vector<RpcModel> read_text_rpc(const std::string& file) {
       file.ends_with("json") || file.ends_with("yaml") || file.ends_with("yml");
   if (is_dictionary) {
     try {
-      add_dictionary(YAML::Load(text), fields);
+      Dictionary(file, fields).add(YAML::Load(text));
     } catch (const YAML::Exception& error) {
       throw Error(file + ": is no dictionary in YAML or JSON: " + error.what());
     }

@@ -82,6 +82,7 @@ std::vector<RpcModel> enmap(const std::string& file, const CPLXMLNode& rpcs) {
     add_values(band, fields);
     models.push_back(fields.model());
   }
+  if (models.empty()) throw Error(file + ": its RPC block holds no model of a band");
   return models;
 }
 

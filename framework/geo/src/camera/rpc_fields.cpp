@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -66,10 +67,11 @@ std::vector<double> numbers(std::string_view text) {
     text.remove_prefix(begin + (text[begin] == '+' ? 1 : 0));
     double value = 0;
     const auto end = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (end.ec != std::errc()) {
-      text.remove_prefix(1);
+    if (end.ec == std::errc::invalid_argument) {  // a sign or a full stop alone
+      text.remove_prefix(std::min<std::size_t>(1, text.size()));
       continue;
     }
+    if (end.ec != std::errc()) value = std::numeric_limits<double>::infinity();  // too large
     found.push_back(value);
     text.remove_prefix(static_cast<std::size_t>(end.ptr - text.data()));
   }
@@ -94,8 +96,8 @@ const std::vector<double>& RpcFields::values(const std::string& name, std::size_
   }
   const std::vector<double>& list = found->second;
   const bool sound =
-      list.size() >= count && std::ranges::all_of(list, [](double v) { return std::isfinite(v); });
-  if (!sound || (count > 1 && list.size() != count)) {
+      list.size() == count && std::ranges::all_of(list, [](double v) { return std::isfinite(v); });
+  if (!sound) {
     throw Error(file_ + ": " + name + " of the RPC model must be " + std::to_string(count) +
                 (count == 1 ? " number" : " numbers"));
   }
