@@ -87,7 +87,7 @@ void require_inputs_apart(const geo::SurfaceBenchRequest& request) {
   for (const geo::SurfaceScene& scene : request.scenes) {
     for (const std::string& image : scene.images) read.push_back({"image", image});
     for (const std::string& file : scene.visible) read.push_back({"visible", file});
-    if (!scene.dem.empty()) read.push_back({"DEM", geo::dem_file(scene.dem)});
+    if (!scene.dem.empty()) read.push_back({"DEM", geo::dem_files({scene.dem}).front()});
     read.push_back({"truth", scene.truth});
   }
   for (const SurfaceTable& table : kTables) {

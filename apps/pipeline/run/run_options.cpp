@@ -32,29 +32,46 @@ void add_insights(Command command, RunCommandOptions& options) {
 }
 
 void add_satellites(Command command, RunCommandOptions& options) {
-  auto images = command
-                    .option("--images", options.satellite_images,
-                            "For pipelines of type surface: satellite images with RPC cameras, in "
-                            "their files or beside them")
-                    .type_name("FILE...")
-                    .existing_file();
+  auto images =
+      command
+          .option(
+              "--images", options.satellite_images,
+              "For pipelines of type surface: satellite images with RPC cameras, in their files or "
+              "beside them; or a scene in YAML in place of SCENE_DIR, whose values the options "
+              "below replace")
+          .type_name("FILE...")
+          .excludes(command.find("scene"));
   command
       .option("--masks", options.satellite_masks,
               "One per image: not 0 where it may be used (no cloud, no water)")
-      .type_name("FILE...")
-      .existing_file()
-      .needs(images);
+      .type_name("FILE...");
+  command
+      .option("--cameras", options.satellite_cameras,
+              "One per image: the vendor's file with its RPC, in place of what the image holds")
+      .type_name("FILE...");
   command
       .option("--dem", options.dem,
-              "Known heights that bound the search. DATUM if the file does not say what heights "
-              "are counted from: egm96 (SRTM), egm2008, ellipsoid, EPSG:CODE")
-      .type_name("FILE[,DATUM]")
-      .needs(images);
+              "Known heights that bound the search: tiles, or a folder of them. DATUM if a file "
+              "does not say what heights are counted from: egm96 (SRTM), egm2008, ellipsoid, "
+              "EPSG:CODE")
+      .type_name("FILE[,DATUM]...");
   command
       .option("--area", options.area,
-              "Part of the ground to be matched, degrees. Without it, what the first image of each "
-              "pair shows, or all points of the clouds")
-      .type_name("WEST,SOUTH,EAST,NORTH");
+              "Part of the ground to be matched: degrees; a window of the first image, px; a file "
+              "with a polygon (GeoJSON, Shapefile, KML), or a raster. Without it, what the first "
+              "image of each pair shows, or all points of the clouds")
+      .type_name("WEST,SOUTH,EAST,NORTH|COLUMN,ROW:WIDTHxHEIGHT|FILE");
+  constexpr int kMaxBands = 10000;
+  command
+      .option("--band", options.band,
+              "Which band of the images is matched, from 1 on; without it the mean of all")
+      .type_name("N")
+      .range(1, kMaxBands);
+  command
+      .option("--geoid", options.geoid,
+              "Heights of the surface are above this geoid: egm96, or another one whose grid PROJ "
+              "has; without it above the ellipsoid")
+      .type_name("NAME");
   command
       .option("--clouds", options.satellite_clouds,
               "In place of images: clouds of earlier runs (DIR/cloud.ply), which are made a "

@@ -20,8 +20,11 @@ struct RunCommandOptions : SceneOptions {
   std::vector<std::string> satellite_images;
   std::vector<std::string> satellite_clouds;
   std::vector<std::string> satellite_masks;
-  std::string dem;
+  std::vector<std::string> satellite_cameras;
+  std::vector<std::string> dem;
   std::string area;
+  int band = 0;
+  std::string geoid;
 };
 
 void add_run_options(Command command, RunCommandOptions& options);

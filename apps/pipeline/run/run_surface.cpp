@@ -3,7 +3,6 @@
 
 #include "options/scene_request.hpp"
 #include "options/surfaces.hpp"
-#include "options/values.hpp"
 #include "xgm/base/error.hpp"
 
 #ifdef XGM_HAS_GEO
@@ -22,23 +21,22 @@ namespace xgm::cli {
 #ifdef XGM_HAS_GEO
 namespace {
 
-std::optional<cv::Vec4d> parse_area(const std::string& text) {
-  if (text.empty()) return std::nullopt;
-  cv::Vec4d area;
-  const std::vector<std::string> items = split_at_commas(text);
-  bool sound = items.size() == 4;
-  for (int i = 0; sound && i < 4; ++i) {
-    const auto number = parse_number(items[static_cast<std::size_t>(i)]);
-    sound = number.has_value();
-    if (number) area[i] = *number;
-  }
-  if (sound && area[0] < area[2] && area[1] < area[3] && std::abs(area[1]) <= 90 &&
-      std::abs(area[3]) <= 90) {
-    return area;
-  }
-  throw UsageError(
-      "--area " + text +
-      ": write WEST,SOUTH,EAST,NORTH in degrees, for example 55.64,-21.24,55.66,-21.22");
+/// The scene's files, those of the command line in their place.
+geo::SurfaceFiles surface_files(const RunCommandOptions& options) {
+  geo::SurfaceFiles files;
+  if (!options.scene.empty()) files = geo::read_surface_scene(options.scene);
+  const auto replace = [](auto& value, const auto& given) {
+    if (given != std::decay_t<decltype(given)>{}) value = given;
+  };
+  replace(files.images, options.satellite_images);
+  replace(files.masks, options.satellite_masks);
+  replace(files.cameras, options.satellite_cameras);
+  replace(files.dem, options.dem);
+  replace(files.area, options.area);
+  replace(files.band, options.band);
+  replace(files.clouds, options.satellite_clouds);
+  replace(files.truth, options.truth);
+  return files;
 }
 
 /// "4.1 % occluded, 0.3 % peak", the most first; "" without empty cells.
@@ -86,13 +84,13 @@ void print_summary(const geo::RecordedSurface& run, const std::string& folder) {
 int run_surface(const Pipeline& pipeline, const Registry& registry,
                 const RunCommandOptions& options, const std::vector<std::string>& command_line,
                 const RunOptions& run, Progress& progress) {
-  const geo::SurfaceFiles files{options.satellite_images, options.dem,
-                                options.satellite_masks,  parse_area(options.area),
-                                options.satellite_clouds, options.truth};
+  const geo::SurfaceFiles files = surface_files(options);
   geo::SurfaceRecordRequest request{.folder = options.output,
+                                    .geoid = options.geoid,
                                     .overrides = parse_overrides(options.assignments),
                                     .command_line = command_line,
                                     .inputs = files_beside_scene(registry, {}, {})};
+  if (!options.scene.empty()) request.inputs.push_back({"scene", options.scene});
   request.tell = [&](const std::string& what) { progress.begin(what); };
   const geo::RecordedSurface recorded = geo::record_surface(pipeline, files, request, run);
   progress.end();
@@ -110,24 +108,32 @@ int run_surface(const Pipeline&, const Registry&, const RunCommandOptions&,
 
 bool is_surface(const Pipeline& pipeline, const RunCommandOptions& options) {
   const bool surface = makes_surfaces(pipeline);
-  const bool has_inputs = !options.satellite_images.empty() || !options.satellite_clouds.empty();
+  const bool has_inputs = !options.satellite_images.empty() || !options.satellite_clouds.empty() ||
+                          !options.scene.empty();
   if (surface && !has_inputs) {
     throw UsageError(pipeline.file() +
-                     ": makes surfaces of satellite images; give --images FILE "
-                     "FILE ..., or --clouds FILE.ply ...");
+                     ": makes surfaces of satellite images; give --images FILE FILE ..., a scene "
+                     "in YAML, or --clouds FILE.ply ...");
+  }
+  if (surface && !options.images.left.empty()) {
+    throw UsageError(pipeline.file() +
+                     ": makes surfaces of satellite images; give them as --images, not as --left "
+                     "and --right");
   }
   if (surface && !options.cloud.empty()) {
     throw UsageError(
         "--cloud is for stereo pairs: a surface's points are always in DIR/cloud.ply; --clouds "
         "FILE.ply ... makes a surface of them again");
   }
-  if (!surface && has_inputs) {
+  const bool for_surfaces = !options.satellite_images.empty() ||
+                            !options.satellite_clouds.empty() || !options.satellite_masks.empty() ||
+                            !options.satellite_cameras.empty() || !options.dem.empty() ||
+                            !options.area.empty() || options.band != 0 || !options.geoid.empty();
+  if (!surface && for_surfaces) {
     throw UsageError(pipeline.file() +
-                     ": matches one pair of images; --images and --clouds are for pipelines of "
-                     "type surface, such as dsm_tmgm16");
-  }
-  if (!surface && !options.area.empty()) {
-    throw UsageError("--area: is for pipelines of type surface, such as dsm_tmgm16");
+                     ": matches one pair of images; --images, --clouds, --masks, --cameras, --dem, "
+                     "--area, --band and --geoid are for pipelines of type surface, such as "
+                     "dsm_tmgm16");
   }
   return surface;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "xgm/base/error.hpp"
+#include "xgm/geo/image/footprint.hpp"
 #include "xgm/geo/stage/range_prior.hpp"
 
 namespace xgm::geo {
@@ -29,43 +30,40 @@ Box box_of(const std::vector<PointCloud>& clouds) {
   return box;
 }
 
-/// Of an area in degrees, in the CRS. Its edges are curved there.
-Box box_of(const cv::Vec4d& area, const Crs& crs) {
-  constexpr int kSteps = 8;  // per edge
-  const CrsTransform to_grid("EPSG:4326", crs);
+Box box_of(const DegreeBox& area, const Crs& crs) {
+  const cv::Rect2d box = box_in(crs, area);
+  return {box.tl(), box.br()};
+}
+
+/// The part of an image that shows ground of these heights.
+cv::Rect part_of(const SatelliteImage& image, const DegreeBox& area,
+                 const HeightInterval& heights) {
   Box box;
-  for (int k = 0; k <= kSteps; ++k) {
-    const double x = area[0] + (area[2] - area[0]) * k / kSteps;
-    const double y = area[1] + (area[3] - area[1]) * k / kSteps;
-    for (const cv::Point2d p : {cv::Point2d(x, area[1]), cv::Point2d(x, area[3]),
-                                cv::Point2d(area[0], y), cv::Point2d(area[2], y)}) {
-      const cv::Vec3d place = to_grid.forward({p.x, p.y, 0});
-      box.add({place[0], place[1]});
-    }
+  for (int k = 0; k < 8; ++k) {
+    box.add(image.camera.project({area[k % 2 == 0 ? 0 : 2], area[k / 2 % 2 == 0 ? 1 : 3],
+                                  k < 4 ? heights.min : heights.max}));
   }
-  return box;
+  static constexpr double kFar = 1e8;
+  const auto first = [](double v) { return cvFloor(std::clamp(v, -kFar, kFar)); };
+  const auto end = [](double v) { return cvCeil(std::clamp(v, -kFar, kFar)); };
+  return cv::Rect(cv::Point(first(box.low.x), first(box.low.y)),
+                  cv::Point(end(box.high.x), end(box.high.y))) &
+         cv::Rect({}, image.size);
 }
 
 }  // namespace
 
 cv::Rect window_of(const SurfaceRequest& request, const SatelliteImage& base) {
   const cv::Rect whole({}, base.size);
-  if (!request.area) return whole;
-  const cv::Vec4d& area = *request.area;
   const HeightInterval heights =
       request.dem != nullptr ? request.dem->bounds() : base.camera.heights();
-  Box box;
-  for (int k = 0; k < 8; ++k) {
-    box.add(base.camera.project({area[k % 2 == 0 ? 0 : 2], area[k / 2 % 2 == 0 ? 1 : 3],
-                                 k < 4 ? heights.min : heights.max}));
+  if (!request.window.empty()) {
+    const SatelliteImage& first = request.images.front();
+    if (base.file == first.file) return request.window & whole;
+    const auto ground = footprint(first, request.window, heights);
+    return ground ? part_of(base, *ground, heights) : cv::Rect();
   }
-  const cv::Rect shown = cv::Rect(cv::Point(cvFloor(std::clamp(box.low.x, -1e9, 1e9)),
-                                            cvFloor(std::clamp(box.low.y, -1e9, 1e9))),
-                                  cv::Point(cvCeil(std::clamp(box.high.x, -1e9, 1e9)),
-                                            cvCeil(std::clamp(box.high.y, -1e9, 1e9)))) &
-                         whole;
-  if (shown.empty()) throw Error(base.file + ": shows nothing of the requested area");
-  return shown;
+  return request.area ? part_of(base, *request.area, heights) : whole;
 }
 
 bool overlap(const SatelliteImage& base, const SatelliteImage& match) {

@@ -9,7 +9,7 @@
 
 namespace xgm::geo {
 
-/// The part of the base image that shows the requested area. Throws Error if it shows none of it.
+/// The part of the base image that shows the requested area; empty if it shows none of it.
 cv::Rect window_of(const SurfaceRequest& request, const SatelliteImage& base);
 
 /// Whether the second image shows some of the ground that the first one shows, at any height that

@@ -153,4 +153,16 @@ cv::Mat1b explain_cells(const GridSpec& grid, const cv::Mat1f& fused,
   return reasons;
 }
 
+void mark_outside(const Outline& outline, const GridSpec& grid, cv::Mat1b& reasons) {
+  if (outline.empty()) return;
+  Raster inside{cv::Mat1f(grid.size, 0.0F), grid.place, grid.crs, {}};
+  clear_outside(outline, inside);
+  for (int y = 0; y < reasons.rows; ++y) {
+    for (int x = 0; x < reasons.cols; ++x) {
+      if (!std::isnan(inside.values(y, x))) continue;
+      reasons(y, x) = static_cast<std::uint8_t>(CellReason::not_seen);
+    }
+  }
+}
+
 }  // namespace xgm::geo

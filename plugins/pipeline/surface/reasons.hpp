@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "xgm/data/match.hpp"
+#include "xgm/geo/ground/area.hpp"
 #include "xgm/geo/image/point_grid.hpp"
 #include "xgm/geo/image/rectified_pair.hpp"
 #include "xgm/geo/stage/cell_reason.hpp"
@@ -38,5 +39,8 @@ SeenWindow remember(const cv::Rect& window, const RectifiedPair& pair, const Mat
 /// hides this one, else this one lies between points.
 cv::Mat1b explain_cells(const GridSpec& grid, const cv::Mat1f& fused,
                         const std::vector<Raster>& surfaces, const std::vector<SeenPair>& pairs);
+
+/// Cells outside of the outline are wanted by nobody: not seen.
+void mark_outside(const Outline& outline, const GridSpec& grid, cv::Mat1b& reasons);
 
 }  // namespace xgm::geo

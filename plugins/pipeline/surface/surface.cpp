@@ -6,6 +6,7 @@
 #include "plugins/pipeline/surface/cloud.hpp"
 #include "plugins/pipeline/surface/grid.hpp"
 #include "plugins/pipeline/surface/layers.hpp"
+#include "plugins/pipeline/surface/possible.hpp"
 #include "plugins/pipeline/surface/reasons.hpp"
 #include "xgm/geo/image/resample.hpp"
 #include "xgm/geo/stage/pointing.hpp"
@@ -60,6 +61,7 @@ class SurfacePipeline final : public SurfaceFamily {
 
   SurfaceResult run(const SurfaceRequest& request, const Context& context) const override {
     if (request.images.size() < 2) throw UsageError("give at least two satellite images");
+    require_dem(request);
     SurfaceResult result;
     result.pairs = p_.pairs(context.part(0, 0.01), request.images);
     keep_possible(request, result.pairs, context);
@@ -81,8 +83,9 @@ class SurfacePipeline final : public SurfaceFamily {
     for (PointCloud& cloud : result.clouds) move_to_grid(cloud, to_grid);
     const double step = p_.resolution > 0 ? p_.resolution : ground_pixel(request.images.front());
     result.grid = choose_grid(request.area, crs, result.clouds, step);
-    make_surfaces(context.part(0.85, 1), result);
+    make_surfaces(context.part(0.85, 1), request.outline, result);
     result.reasons = explain_cells(result.grid, result.fused.heights.values, result.surfaces, seen);
+    mark_outside(request.outline, result.grid, result.reasons);
     return result;
   }
 
@@ -96,26 +99,21 @@ class SurfacePipeline final : public SurfaceFamily {
     SurfaceResult result;
     result.clouds = std::move(request.clouds.pairs);
     result.grid = choose_grid(request.area, request.clouds.crs, result.clouds, step);
-    make_surfaces(context, result);
+    make_surfaces(context, request.outline, result);
     return result;
   }
 
  private:
-  /// Only pairs that show the same ground; what else cannot go well is found before any work.
-  static void keep_possible(const SurfaceRequest& request, std::vector<PairChoice>& pairs,
-                            const Context& context) {
-    const std::vector<SatelliteImage>& images = request.images;
-    std::erase_if(pairs, [&](const PairChoice& pair) {
-      if (overlap(images[pair.base], images[pair.match])) return false;
-      context.warn(images[pair.base].file + " and " + images[pair.match].file +
-                   " do not show the same ground; they are not matched");
-      return true;
-    });
-    if (pairs.empty())
-      throw Error("no two of the images show the same ground and are fit to match");
-    for (const PairChoice& pair : pairs) {
-      const cv::Rect window = window_of(request, images[pair.base]);
-      if (request.dem != nullptr) dem_heights(images[pair.base], window, *request.dem);
+  void require_dem(const SurfaceRequest& request) const {
+    if (request.dem != nullptr) return;
+    for (const auto& [field, needed] : {std::pair{"range_prior", p_.range_prior->needs_dem()},
+                                        std::pair{"pointing", p_.pointing->needs_dem()}}) {
+      if (needed) {
+        throw UsageError(std::string(field) +
+                         ": needs heights that are known; give a DEM (--dem FILE), or choose "
+                         "another plugin ('pipeline list " +
+                         field + "')");
+      }
     }
   }
 
@@ -166,14 +164,16 @@ class SurfacePipeline final : public SurfaceFamily {
   }
 
   /// Of the clouds, on the grid.
-  void make_surfaces(const Context& context, SurfaceResult& result) const {
+  void make_surfaces(const Context& context, const Outline& outline, SurfaceResult& result) const {
     for (const PointCloud& cloud : result.clouds) {
       const Context here =
           context.scope(cloud.match.empty() ? cloud.base : cloud.base + "_" + cloud.match);
       result.surfaces.push_back(p_.surface(here, cloud.points, result.grid));
+      clear_outside(outline, result.surfaces.back());
       if (result.surfaces.size() > 1) continue;
       result.orthoimage =
           p_.surface(here.scope("ortho"), with_values(cloud.points, cloud.greys), result.grid);
+      clear_outside(outline, result.orthoimage);
     }
     result.fused = p_.fusion(context, result.surfaces);
     result.fused.heights.metadata["vertical_datum"] = kEllipsoidalHeights;

@@ -70,6 +70,8 @@ class AlignToDem final : public Pointing {
 
   explicit AlignToDem(Parameters parameters) : p_(parameters) {}
 
+  bool needs_dem() const override { return true; }
+
   std::vector<SatelliteImage> run(const std::vector<SatelliteImage>& images,
                                   const std::vector<PairChoice>& pairs,
                                   const GroundKnowledge& ground,

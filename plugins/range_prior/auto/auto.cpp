@@ -20,6 +20,8 @@ class Auto final : public RangePrior {
 
   explicit Auto(Parameters parameters) : p_(std::move(parameters)) {}
 
+  bool needs_dem() const override { return p_.without_dem->needs_dem(); }
+
   HeightInterval heights(const SatelliteImage& base, const SatelliteImage& match,
                          const cv::Rect& window, const HeightField* dem,
                          const Context& context) const override {

@@ -20,6 +20,8 @@ class DemGlobal final : public RangePrior {
 
   explicit DemGlobal(Parameters parameters) : margin_(parameters.margin) {}
 
+  bool needs_dem() const override { return true; }
+
   HeightInterval heights(const SatelliteImage& base, const SatelliteImage&, const cv::Rect& window,
                          const HeightField* dem, const Context&) const override {
     if (dem == nullptr) throw UsageError("range_prior dem_global: give a DEM (--dem FILE)");

@@ -60,6 +60,8 @@ class DemSculpting final : public RangePrior {
 
   explicit DemSculpting(Parameters parameters) : p_(parameters) {}
 
+  bool needs_dem() const override { return true; }
+
   HeightInterval heights(const SatelliteImage& base, const SatelliteImage&, const cv::Rect& window,
                          const HeightField* dem, const Context&) const override {
     if (dem == nullptr) throw UsageError("range_prior dem_sculpting: give a DEM (--dem FILE)");

@@ -91,6 +91,8 @@ void Pipeline::in_run(const RunOptions& options,
   as_run(options, false, [&](const Context& context) {
     try {
       body(context);
+    } catch (const UsageError&) {  // of the family itself, before any of its stages did work
+      throw;
     } catch (...) {
       rethrow_as_error(place);
     }

@@ -23,14 +23,15 @@ std::string identity(const SurfaceBenchRequest& request, const BenchPipeline& pi
                      const SurfaceScene& scene) {
   std::vector<FileIdentity> files;
   for (const std::string& image : scene.images) files.push_back(identify_file(image));
-  if (!scene.dem.empty()) files.push_back(identify_file(dem_file(scene.dem)));
+  if (!scene.dem.empty()) files.push_back(identify_file(dem_files({scene.dem}).front()));
   files.push_back(identify_file(scene.truth));
-  return Json{{"format", kFormat},
-              {"program", identity_json(request.program)},
-              {"pipeline", Json::parse(pipeline.resolved)},
-              {"dem", scene.dem.substr(dem_file(scene.dem).size())},
-              {"files", identity_json(files)},
-              {"threads", request.threads}}
+  return Json{
+      {"format", kFormat},
+      {"program", identity_json(request.program)},
+      {"pipeline", Json::parse(pipeline.resolved)},
+      {"dem", scene.dem.empty() ? "" : scene.dem.substr(dem_files({scene.dem}).front().size())},
+      {"files", identity_json(files)},
+      {"threads", request.threads}}
       .dump();
 }
 

@@ -54,7 +54,7 @@ class SceneFile {
   std::string path(const YAML::Node& node, const std::string& key) const {
     if (!node.IsScalar()) refuse(file_, node.Mark(), "'" + key + "' needs the name of a file");
     const std::string file = (fs::path(file_).parent_path() / node.Scalar()).string();
-    if (!fs::is_regular_file(dem_file(file)))
+    if (!fs::is_regular_file(dem_files({file}).front()))
       refuse(file_, node.Mark(), file + " does not exist; correct '" + key + "'");
     return file;
   }

@@ -103,6 +103,13 @@ std::string crs_name(const Crs& crs) {
   return proj_get_name(make_crs(context.get(), crs).get());
 }
 
+std::string heights_name(const Crs& crs) {
+  const ProjContext context = make_context();
+  const Proj object = make_crs(context.get(), crs);
+  if (proj_get_type(object.get()) != PJ_TYPE_COMPOUND_CRS) return std::string(kEllipsoidalHeights);
+  return proj_get_name(Proj(proj_crs_get_sub_crs(context.get(), object.get(), 1)).get());
+}
+
 Crs utm_crs(double longitude, double latitude) {
   const int zone = std::clamp(static_cast<int>(std::floor((longitude + 180) / 6)) + 1, 1, 60);
   return "EPSG:" + std::to_string((latitude < 0 ? 32700 : 32600) + zone);

@@ -25,6 +25,9 @@ DatasetPtr open_raster(const std::string& file) {
   const QuietGdal quiet;
   if (!std::filesystem::exists(file)) throw Error(file + ": there is no such file");
   DatasetPtr dataset(GDALDataset::Open(file.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY));
+  if (dataset == nullptr && std::filesystem::is_directory(file)) {
+    throw Error(file + ": is a folder; name a file in it");
+  }
   if (dataset == nullptr) {
     throw Error(file + ": is no raster that GDAL can read: " + QuietGdal::message());
   }

@@ -38,6 +38,22 @@ GridPlace place_of(GDALDataset& dataset, const std::string& file) {
   return {t[0], t[3], t[1], t[5]};
 }
 
+RasterHead head_of(GDALDataset& dataset, const std::string& file) {
+  const char* const crs = dataset.GetProjectionRef();
+  RasterHead head{.size = {dataset.GetRasterXSize(), dataset.GetRasterYSize()},
+                  .bands = dataset.GetRasterCount(),
+                  .place = place_of(dataset, file),
+                  .crs = crs != nullptr ? crs : "",
+                  .metadata = {}};
+  for (char** entry = dataset.GetMetadata(); entry != nullptr && *entry != nullptr; ++entry) {
+    const std::string text(*entry);
+    const std::size_t equals = text.find('=');
+    if (equals != std::string::npos)
+      head.metadata[text.substr(0, equals)] = text.substr(equals + 1);
+  }
+  return head;
+}
+
 /// The bytes of the file, made in memory: it gets its name when it is complete.
 std::string encode(GDALDriver& cog, GDALDataset& dataset, bool labels, const std::string& file) {
   const char* const options[] = {"COMPRESS=DEFLATE", "PREDICTOR=YES",
@@ -93,30 +109,34 @@ void write_cog(const std::string& file, const cv::Mat& values, const GridPlace& 
 
 }  // namespace
 
-Raster read_raster(const std::string& file, int band_number) {
+RasterHead read_raster_head(const std::string& file) {
   const DatasetPtr dataset = open_raster(file);
   const QuietGdal quiet;
-  if (band_number < 1 || band_number > dataset->GetRasterCount()) {
-    throw Error(file + ": has " + std::to_string(dataset->GetRasterCount()) + " bands, no band " +
+  return head_of(*dataset, file);
+}
+
+Raster read_raster_window(const std::string& file, const cv::Rect& window, int band_number) {
+  const DatasetPtr dataset = open_raster(file);
+  const QuietGdal quiet;
+  RasterHead head = head_of(*dataset, file);
+  if (band_number < 1 || band_number > head.bands) {
+    throw Error(file + ": has " + std::to_string(head.bands) + " bands, no band " +
                 std::to_string(band_number));
   }
   GDALRasterBand& band = *dataset->GetRasterBand(band_number);
-  Raster raster;
-  raster.values.create(band.GetYSize(), band.GetXSize());
-  require(band.RasterIO(GF_Read, 0, 0, band.GetXSize(), band.GetYSize(), raster.values.data,
-                        band.GetXSize(), band.GetYSize(), GDT_Float32, 0, 0) == CE_None,
-          file, "cannot be read to its end");
+  Raster raster{cv::Mat1f(window.size()), head.place, head.crs, std::move(head.metadata)};
+  require(
+      band.RasterIO(GF_Read, window.x, window.y, window.width, window.height, raster.values.data,
+                    window.width, window.height, GDT_Float32, 0, 0) == CE_None,
+      file, "cannot be read to its end");
   remove_nodata(raster.values, band);
-  raster.place = place_of(*dataset, file);
-  const char* const crs = dataset->GetProjectionRef();
-  raster.crs = crs != nullptr ? crs : "";
-  for (char** entry = dataset->GetMetadata(); entry != nullptr && *entry != nullptr; ++entry) {
-    const std::string text(*entry);
-    const std::size_t equals = text.find('=');
-    if (equals != std::string::npos)
-      raster.metadata[text.substr(0, equals)] = text.substr(equals + 1);
-  }
+  raster.place.left += window.x * raster.place.step_x;
+  raster.place.top += window.y * raster.place.step_y;
   return raster;
+}
+
+Raster read_raster(const std::string& file, int band_number) {
+  return read_raster_window(file, cv::Rect({}, read_raster_head(file).size), band_number);
 }
 
 void write_raster(const std::string& file, const Raster& raster) {

@@ -40,7 +40,9 @@ cv::Mat1f read_band(GDALRasterBand& band, const cv::Rect& window, const std::str
   }
   int has_nodata = 0;
   const auto nodata = static_cast<float>(band.GetNoDataValue(&has_nodata));
-  if (has_nodata != 0) values.setTo(kNone, values == nodata);
+  for (float& value : values) {
+    if (!std::isfinite(value) || (has_nodata != 0 && value == nodata)) value = kNone;
+  }
   return values;
 }
 
@@ -84,6 +86,7 @@ SatelliteImage open_image(const std::string& file, const std::string& camera_fil
           .band = dataset->GetRasterCount() == 1 ? 1 : 0,
           .mask = {},
           .size = {dataset->GetRasterXSize(), dataset->GetRasterYSize()},
+          .bands = dataset->GetRasterCount(),
           .camera = RpcCamera(models.front()).cropped(origin),
           .acquisition = find_acquisition(file, camera_file)};
 }

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
-#include <set>
 
 #include "run/search_volume.hpp"
 #include "run/surface_outputs.hpp"
@@ -18,7 +17,7 @@
 #include "xgm/evaluation/evaluation_json.hpp"
 #include "xgm/evaluation/record_json.hpp"
 #include "xgm/evaluation/run_folder.hpp"
-#include "xgm/geo/ground/dem.hpp"
+#include "xgm/geo/ground/vertical_datum.hpp"
 #include "xgm/io/file.hpp"
 #include "xgm/stage/observers.hpp"
 
@@ -29,12 +28,8 @@ namespace fs = std::filesystem;
 
 std::vector<NamedFile> files_read(const Pipeline& pipeline, const SurfaceFiles& files,
                                   const SurfaceRecordRequest& request) {
-  std::vector<NamedFile> read{{"pipeline", pipeline.file()}};
-  for (const std::string& image : files.images) read.push_back({"image", image});
-  for (const std::string& cloud : files.clouds) read.push_back({"cloud", cloud});
-  for (const std::string& mask : files.masks) read.push_back({"mask", mask});
-  if (!files.dem.empty()) read.push_back({"DEM", dem_file(files.dem)});
-  if (!files.truth.empty()) read.push_back({"truth", files.truth});
+  std::vector<NamedFile> read = files_of(files);
+  read.insert(read.begin(), {"pipeline", pipeline.file()});
   read.insert(read.end(), request.inputs.begin(), request.inputs.end());
   return read;
 }
@@ -49,33 +44,17 @@ std::vector<NamedFile> files_written(const SurfaceFiles& files, const std::strin
   return written;
 }
 
-void check(const SurfaceFiles& files) {
-  if (!files.clouds.empty()) {
-    if (files.images.empty() && files.masks.empty() && files.dem.empty()) return;
+CloudRequest read_cloud_request(const SurfaceFiles& files) {
+  if (!files.images.empty() || !files.masks.empty() || !files.dem.empty() ||
+      !files.cameras.empty() || files.band != 0) {
     throw UsageError("--clouds: clouds are made a surface of without images, masks and DEM");
   }
-  if (files.images.size() < 2) throw UsageError("--images: give at least two satellite images");
-  if (!files.masks.empty() && files.masks.size() != files.images.size()) {
-    throw UsageError("--masks: give one mask for each of the " +
-                     std::to_string(files.images.size()) + " images, or none");
+  const WantedArea area = parse_area(files.area);
+  if (!area.window.empty()) {
+    throw UsageError("area " + files.area +
+                     ": clouds have no pixels; give WEST,SOUTH,EAST,NORTH in degrees, or a file");
   }
-  std::set<std::string> names;
-  for (const std::string& image : files.images) {
-    if (!names.insert(fs::path(image).stem().string()).second) {
-      throw UsageError(image + ": another image has the same name; give them different names");
-    }
-  }
-}
-
-SurfaceRequest read_request(const SurfaceFiles& files) {
-  SurfaceRequest request;
-  for (std::size_t i = 0; i < files.images.size(); ++i) {
-    request.images.push_back(open_image(files.images[i]));
-    if (!files.masks.empty()) request.images.back().mask = files.masks[i];
-  }
-  if (!files.dem.empty()) request.dem = read_dem(files.dem);
-  request.area = files.area;
-  return request;
+  return {read_clouds(files.clouds), area.box, area.outline};
 }
 
 /// The surface, of images or of clouds. `truth`, unless null, is told of all that is matched.
@@ -83,7 +62,7 @@ std::function<SurfaceResult(const Context&)> make_job(const SurfaceFamily& famil
                                                       const SurfaceFiles& files,
                                                       TruthRecord* truth) {
   if (files.clouds.empty()) {
-    SurfaceRequest images = read_request(files);
+    SurfaceRequest images = read_surface_request(files);
     if (truth != nullptr) {
       images.matched = [truth](const auto&... window) { truth->add(window...); };
     }
@@ -92,8 +71,7 @@ std::function<SurfaceResult(const Context&)> make_job(const SurfaceFamily& famil
     };
   }
   // Shared, since the clouds are large and a function must be able to be copied.
-  const auto request =
-      std::make_shared<CloudRequest>(CloudRequest{read_clouds(files.clouds), files.area});
+  const auto request = std::make_shared<CloudRequest>(read_cloud_request(files));
   return [&family, request](const Context& context) {
     return family.rasterise(std::move(*request), context);
   };
@@ -117,7 +95,7 @@ Json record_of(const Pipeline& pipeline, const SurfaceRecordRequest& request,
                       {"overrides", to_json(request.overrides)},
                       {"resolved", Json::parse(pipeline.resolved_json())}};
   json["scene"] = {{"inputs", to_json(identify_files(inputs))}};
-  json["grid"] = grid_json(recorded.result.grid);
+  json["grid"] = grid_json(recorded.result.grid, recorded.result.fused.heights);
   json["pairs"] = pairs_json(recorded.result);
   json["covered_share"] = recorded.covered;
   json["cells"] = cells_json(recorded.result);
@@ -147,13 +125,13 @@ RecordedSurface record_surface(const Pipeline& pipeline, const SurfaceFiles& fil
                                const SurfaceRecordRequest& request, const RunOptions& options) {
   const auto* const family = dynamic_cast<const SurfaceFamily*>(&pipeline.family());
   if (family == nullptr) throw UsageError(pipeline.file() + ": is no pipeline of type surface");
-  check(files);
+  if (!request.geoid.empty()) require_geoid(request.geoid);
   const std::vector<NamedFile> inputs = files_read(pipeline, files, request);
-  RunFolder folder(request.folder, files_written(files, request.folder), inputs);
   request.tell(files.clouds.empty() ? "reading the images" : "reading the clouds");
   std::optional<TruthRecord> truth;
   if (!files.truth.empty()) truth.emplace(files.truth);
   const auto job = make_job(*family, files, truth ? &*truth : nullptr);
+  RunFolder folder(request.folder, files_written(files, request.folder), inputs);
   RunRecorder recorder;
   SearchVolume search;
   Warnings warnings;
@@ -170,7 +148,9 @@ RecordedSurface record_surface(const Pipeline& pipeline, const SurfaceFiles& fil
   pipeline.in_run(watched, [&](const Context& context) { recorded.result = job(context); });
   recorded.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  recorded.covered = share_of_heights(recorded.result.fused.heights.values);
+  Raster& heights = recorded.result.fused.heights;
+  if (!request.geoid.empty()) heights = above_geoid(heights, request.geoid);
+  recorded.covered = share_of_heights(heights.values);
   if (recorded.covered == 0)
     recorded.failure = "the surface is empty: no pixel of any pair matched";
   request.tell("writing the results");

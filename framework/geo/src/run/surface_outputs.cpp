@@ -67,14 +67,14 @@ void write_outputs(const SurfaceResult& result, const RunFolder& folder) {
   write_clouds(folder.file("cloud.ply"), result.grid.crs, result.grid.place.step_x, result.clouds);
 }
 
-Json grid_json(const GridSpec& grid) {
+Json grid_json(const GridSpec& grid, const Raster& heights) {
   return {{"crs", crs_name(grid.crs)},
           {"left", grid.place.left},
           {"top", grid.place.top},
           {"resolution_m", grid.place.step_x},
           {"columns", grid.size.width},
           {"rows", grid.size.height},
-          {"heights_above", "WGS 84 ellipsoid"}};
+          {"heights_above", heights.metadata.at("vertical_datum")}};
 }
 
 Json pairs_json(const SurfaceResult& result) {

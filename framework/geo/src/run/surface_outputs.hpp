@@ -12,7 +12,7 @@ namespace xgm::geo {
 std::vector<std::string> output_names(const SurfaceFiles& files);
 void write_outputs(const SurfaceResult& result, const RunFolder& folder);
 
-Json grid_json(const GridSpec& grid);
+Json grid_json(const GridSpec& grid, const Raster& heights);
 Json pairs_json(const SurfaceResult& result);
 /// How many cells there are, and the share of each reason and source.
 Json cells_json(const SurfaceResult& result);

@@ -38,22 +38,34 @@ HeightInterval common_heights(const RpcCamera& a, const RpcCamera& b) {
   return {std::max(a.heights().min, b.heights().min), std::min(a.heights().max, b.heights().max)};
 }
 
-HeightInterval dem_heights(const SatelliteImage& image, const cv::Rect& window,
-                           const HeightField& dem) {
+DemCoverage dem_coverage(const SatelliteImage& image, const cv::Rect& window,
+                         const HeightField& dem) {
   // In pixels: finer than the postings of global DEMs.
   const int step = std::max(16, std::max(window.width, window.height) / 256);
-  HeightInterval heights{INFINITY, -INFINITY};
+  DemCoverage seen{{INFINITY, -INFINITY}, 0, {}};
+  int pixels = 0;
   for (int y = window.y; y < window.br().y + step - 1; y += step) {
     for (int x = window.x; x < window.br().x + step - 1; x += step) {
-      const cv::Point2d pixel(std::min(x, window.br().x - 1), std::min(y, window.br().y - 1));
-      const auto point = image.camera.localize(pixel, dem);
-      if (!point) continue;
-      heights = {std::min(heights.min, point->height), std::max(heights.max, point->height)};
+      const cv::Point pixel(std::min(x, window.br().x - 1), std::min(y, window.br().y - 1));
+      const auto point = image.camera.localize(cv::Point2d(pixel), dem);
+      ++pixels;
+      if (!point) {
+        seen.gaps.push_back(pixel);
+        continue;
+      }
+      seen.heights = {std::min(seen.heights.min, point->height),
+                      std::max(seen.heights.max, point->height)};
     }
   }
-  if (heights.min > heights.max)
-    throw Error("the DEM does not cover what " + image.file + " shows");
-  return heights;
+  if (pixels > 0) seen.share = 1 - static_cast<double>(seen.gaps.size()) / pixels;
+  return seen;
+}
+
+HeightInterval dem_heights(const SatelliteImage& image, const cv::Rect& window,
+                           const HeightField& dem) {
+  const DemCoverage seen = dem_coverage(image, window, dem);
+  if (seen.share == 0) throw Error("the DEM does not cover what " + image.file + " shows");
+  return seen.heights;
 }
 
 }  // namespace xgm::geo

@@ -17,6 +17,9 @@ using Crs = std::string;
 inline constexpr std::string_view kWgs84 =
     "EPSG:4979";  ///< longitude, latitude, ellipsoidal height
 
+/// What heights above the ellipsoid are called.
+inline constexpr std::string_view kEllipsoidalHeights = "WGS 84 ellipsoid";
+
 /// A name for what heights are counted from: "ellipsoid", "egm96", "egm2008", or the code of a
 /// vertical CRS ("EPSG:5773"). Throws UsageError for others.
 XGM_API Crs with_heights(const Crs& horizontal, const std::string& vertical_datum);
@@ -33,6 +36,8 @@ XGM_API bool is_wgs84(const Crs& crs);
 XGM_API bool is_projected(const Crs& crs);
 /// "WGS 84 / UTM zone 40S"
 XGM_API std::string crs_name(const Crs& crs);
+/// What the heights of a CRS are counted from: "EGM96 height", or "WGS 84 ellipsoid".
+XGM_API std::string heights_name(const Crs& crs);
 /// The zone of UTM on WGS 84 that a place lies in: "EPSG:32740".
 XGM_API Crs utm_crs(double longitude, double latitude);
 

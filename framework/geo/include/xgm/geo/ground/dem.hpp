@@ -4,7 +4,9 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "xgm/geo/ground/area.hpp"
 #include "xgm/geo/ground/height_field.hpp"
 #include "xgm/geo/ground/raster.hpp"
 
@@ -14,7 +16,7 @@ namespace xgm::geo {
 class XGM_API Dem final : public HeightField {
  public:
   /// `raster` has a CRS with heights; they are turned into heights above the ellipsoid cell by
-  /// cell. `name` is what errors call it. Throws Error.
+  /// cell. `name` is what errors call it. Throws UsageError.
   Dem(Raster raster, const std::string& name);
   ~Dem() override;
 
@@ -30,11 +32,17 @@ class XGM_API Dem final : public HeightField {
   double posting_ = 0;
 };
 
-/// `file` is a raster, or "FILE,DATUM" with a vertical datum of with_heights() in place of what the
-/// file says; a surface of ours says it as "vertical_datum". Throws UsageError if neither says what
-/// the heights are counted from.
-XGM_API std::shared_ptr<const Dem> read_dem(const std::string& file);
-/// The file's name without a datum.
-XGM_API std::string dem_file(const std::string& file);
+/// Reads the tiles of a DEM, each a raster or "FILE,DATUM" with a vertical datum of with_heights()
+/// in place of what the file says (a surface of ours says it as "vertical_datum"); or a folder,
+/// with or without a datum, for all rasters in it. Tiles of one grid are one raster, so that there
+/// is no seam between them; of those that overlap, the first that has a height counts. Only what
+/// lies in `box`, and a little around it, is read. Throws UsageError, which names the file: what it
+/// counts heights from is not said, or no tile lies in the box.
+XGM_API std::shared_ptr<const HeightField> read_dem(const std::vector<std::string>& files,
+                                                    const std::optional<DegreeBox>& box = {});
+/// Of one file, all of it.
+XGM_API std::shared_ptr<const HeightField> read_dem(const std::string& file);
+/// The files that read_dem() reads: those of folders, without datums.
+XGM_API std::vector<std::string> dem_files(const std::vector<std::string>& files);
 
 }  // namespace xgm::geo

@@ -33,11 +33,21 @@ struct Raster {
   std::map<std::string, std::string> metadata;  ///< of the file: "vertical_datum", ...
 };
 
-/// Any format of GDAL; the nodata value of the file becomes NaN. Throws Error, which names the
-/// file: unreadable, no such band, rotated.
+/// What a raster file says of its values.
+struct RasterHead {
+  cv::Size size;
+  int bands = 0;
+  GridPlace place;
+  Crs crs;
+  std::map<std::string, std::string> metadata;
+};
+/// Any format of GDAL. Throws Error, which names the file: unreadable, rotated.
+XGM_API RasterHead read_raster_head(const std::string& file);
+/// A window of it; the nodata value of the file becomes NaN. Throws Error, which names the file:
+/// unreadable, no such band, rotated.
+XGM_API Raster read_raster_window(const std::string& file, const cv::Rect& window, int band = 1);
+/// All of it.
 XGM_API Raster read_raster(const std::string& file, int band = 1);
-/// What "vertical_datum" in the metadata of a raster says of heights above the ellipsoid.
-inline constexpr std::string_view kEllipsoidalHeights = "WGS 84 ellipsoid";
 /// Cloud-optimised GeoTIFF of 32-bit floats with overviews, NaN as nodata. Complete or not there.
 /// GeoTIFF has no projected CRS of three dimensions: it is written as one of two, and its heights
 /// as "vertical_datum".

@@ -16,6 +16,7 @@ struct SatelliteImage {
   int band = 0;      ///< from 1 on; 0: the mean of all bands
   std::string mask;  ///< file of the same size, nonzero where the image may be used; may be empty
   cv::Size size;     ///< px
+  int bands = 1;     ///< that the file has
   RpcCamera camera;
   Acquisition acquisition;
 };

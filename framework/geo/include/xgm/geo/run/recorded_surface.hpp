@@ -9,24 +9,15 @@
 
 #include "xgm/evaluation/metrics.hpp"
 #include "xgm/geo/evaluation/surface_errors.hpp"
-#include "xgm/geo/stage/surface_family.hpp"
+#include "xgm/geo/run/surface_files.hpp"
 #include "xgm/io/scene.hpp"
 #include "xgm/pipeline/pipeline.hpp"
 
 namespace xgm::geo {
 
-struct SurfaceFiles {
-  std::vector<std::string> images;   ///< at least two; none if there are clouds
-  std::string dem{};                 ///< "FILE" or "FILE,DATUM"; empty: none
-  std::vector<std::string> masks{};  ///< of the images, in their order; none, or as many
-  std::optional<cv::Vec4d> area{};   ///< west, south, east, north, degrees
-  /// Clouds of earlier runs in place of images: nothing is matched, the surface is made of them.
-  std::vector<std::string> clouds{};
-  std::string truth{};               ///< raster of true heights to compare with; empty: none
-};
-
 struct SurfaceRecordRequest {
   std::string folder{};                     ///< made if it is missing
+  std::string geoid{};                      ///< heights are above it: "egm96"; empty: the ellipsoid
   std::vector<Override> overrides{};        ///< that the pipeline was loaded with, for the record
   std::vector<std::string> command_line{};  ///< for the record
   std::vector<NamedFile> inputs{};          ///< files read for this run beside those above
@@ -48,7 +39,7 @@ struct RecordedSurface {
   std::string failure;  ///< why the surface is of no use; empty if it has a height anywhere
 };
 
-/// Writes to the folder: dsm.tif (heights above the ellipsoid), pairs.tif and spread.tif (how many
+/// Writes to the folder: dsm.tif (heights), pairs.tif and spread.tif (how many
 /// pairs have seen a cell, and how far they disagree), gap.tif, source.tif, orthoimage.tif, dsm.png
 /// and, last, run.json; if images were matched, also reasons.tif, cloud.ply and the cameras that
 /// were used as NAME_rpc.txt. docs/satellite.md says what is in them. Throws UsageError for what is

@@ -22,6 +22,9 @@ class XGM_API Pointing : public Stage {
   static constexpr std::string_view kKind = "pointing";
   static constexpr std::string_view kMeaning = "corrects where satellite cameras look";
 
+  /// Whether it can do nothing without a DEM.
+  virtual bool needs_dem() const { return false; }
+
   /// The images with corrected cameras, in the same order.
   virtual std::vector<SatelliteImage> run(const std::vector<SatelliteImage>& images,
                                           const std::vector<PairChoice>& pairs,

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "xgm/geo/image/rectified_pair.hpp"
 #include "xgm/plugin.hpp"
@@ -22,6 +23,9 @@ class XGM_API RangePrior : public Stage {
                                  const cv::Rect& window, const HeightField* dem,
                                  const Context& context) const = 0;
 
+  /// Whether it can do nothing without a DEM.
+  virtual bool needs_dem() const { return false; }
+
   /// The range of every pixel of the rectified base image. An empty interval: nothing is searched
   /// there. As it stands here: what ground between pair.heights has anywhere in the image.
   virtual DisparityRange run(const RectifiedPair& pair, const HeightField* const& dem,
@@ -36,6 +40,15 @@ XGM_API std::optional<Interval> disparities_between(const RectifiedPair& pair,
 
 /// Heights that both cameras were made for.
 XGM_API HeightInterval common_heights(const RpcCamera& a, const RpcCamera& b);
+
+/// What a DEM knows of a window of an image, by every 16th pixel, or fewer of large windows.
+struct DemCoverage {
+  HeightInterval heights;       ///< lowest and highest place; of no meaning if `share` is 0
+  double share = 0;             ///< of the pixels that have a height
+  std::vector<cv::Point> gaps;  ///< pixels that have none
+};
+XGM_API DemCoverage dem_coverage(const SatelliteImage& image, const cv::Rect& window,
+                                 const HeightField& dem);
 
 /// Lowest and highest place of a DEM in a window of an image. Throws Error if it covers none of it.
 XGM_API HeightInterval dem_heights(const SatelliteImage& image, const cv::Rect& window,

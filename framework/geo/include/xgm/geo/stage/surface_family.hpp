@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "xgm/geo/ground/area.hpp"
 #include "xgm/geo/image/point_cloud.hpp"
 #include "xgm/geo/image/rectified_pair.hpp"
 #include "xgm/geo/stage/cell_reason.hpp"
@@ -19,7 +20,9 @@ struct SurfaceRequest {
   std::vector<SatelliteImage> images;        ///< at least two
   std::shared_ptr<const HeightField> dem{};  ///< may be null
   /// West, south, east, north, degrees; empty: what the first image shows.
-  std::optional<cv::Vec4d> area{};
+  std::optional<DegreeBox> area{};
+  Outline outline{};  ///< within the area, outside of which there are no heights; none: all of it
+  cv::Rect window{};  ///< of the first image, px, in place of an area; empty: none
   /// Told of every window when it has been matched.
   std::function<void(const RectifiedPair&, const DisparityMap&)> matched{};
 };
@@ -27,7 +30,8 @@ struct SurfaceRequest {
 /// Clouds of an earlier run, to be made a surface of again.
 struct CloudRequest {
   CloudSet clouds;                  ///< at least one pair
-  std::optional<cv::Vec4d> area{};  ///< as in SurfaceRequest; empty: what the points cover
+  std::optional<DegreeBox> area{};  ///< as in SurfaceRequest; empty: what the points cover
+  Outline outline{};
 };
 
 /// What the height of a cell was made of; the numbers are those of source.tif.
