@@ -121,10 +121,10 @@ TEST_CASE("the shipped pipelines find the true surface of a generated pair") {
       truth.values = judged(scene, only_visible);
       const SurfaceErrors errors =
           compare_surfaces(on_grid_of(result.fused.heights, truth), truth.values);
-      MESSAGE(name << std::string(only_visible ? ", visible cells: " : ", all cells: ") << errors.truth_cells
-                   << ", completeness " << errors.completeness << ", coverage " << errors.coverage
-                   << ", median |dz| " << errors.median_error << " m, signed "
-                   << errors.signed_median << " m, RMSE " << errors.rmse << " m");
+      MESSAGE(name << std::string(only_visible ? ", visible cells: " : ", all cells: ")
+                   << errors.truth_cells << ", completeness " << errors.completeness
+                   << ", coverage " << errors.coverage << ", median |dz| " << errors.median_error
+                   << " m, signed " << errors.signed_median << " m, RMSE " << errors.rmse << " m");
       CHECK(errors.completeness > 0.7);
       CHECK(errors.median_error < 0.25);
       CHECK(std::abs(errors.signed_median) < 0.1);

@@ -44,8 +44,7 @@ std::string text_cloud(const std::string& comment, const std::string& points, in
 }
 
 RecordedSurface rasterise(const std::vector<std::string>& clouds, const std::string& folder,
-                          const std::vector<Override>& overrides,
-                          const std::optional<cv::Vec4d>& area = {}) {
+                          const std::vector<Override>& overrides, const std::string& area = {}) {
   Registry registry = Registry::with_builtins();
   add_geo(registry);
   SurfaceFiles files{};
@@ -204,7 +203,7 @@ TEST_CASE(
   CHECK(same(read_raster(folder / "out/source.tif").values,
              (cv::Mat1f(2, 4) << 1, 0, 0, 0, 0, 0, 0, 2)));
   // On the central meridian of the zone, where 0.0001 degrees are 9 m.
-  const cv::Vec4d area(3.00001, 36.14, 3.00011, 36.1401);
+  const std::string area = "3.00001,36.14,3.00011,36.1401";
   const RecordedSurface cut = rasterise({folder / "c.ply"}, folder / "cut", {}, area);
   CHECK(cut.result.grid.place.left == 500000);
   CHECK(cut.result.grid.size.width == 5);

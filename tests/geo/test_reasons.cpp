@@ -111,7 +111,7 @@ RecordedSurface run_in(const std::string& folder, const std::string& name,
   SurfaceFiles files{};
   files.images = {folder + "/scene/image_1.tif", folder + "/scene/image_2.tif"};
   files.masks = {folder + "/mask_1.png", folder + "/mask_2.png"};
-  files.dem = folder + "/scene/dem.tif";
+  files.dem = {folder + "/scene/dem.tif"};
   SurfaceRecordRequest request;
   request.folder = folder + "/" + name;
   return record_surface(pipeline_of(folder, overrides), files, request);
