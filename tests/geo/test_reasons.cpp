@@ -25,8 +25,8 @@ using xgm::testing::TemporaryFolder;
 namespace {
 
 constexpr int kSize = 400;
-constexpr int kUnsearched = 60;  // columns of the base image
-const cv::Rect kMasked(200, 150, 70, 60);
+constexpr int kUnsearched = 60;            // columns of the base image
+const cv::Rect kMasked(110, 100, 60, 60);  // on the plain
 
 /// Searches all but the first columns of the base image.
 class SearchesTheRest final : public RangePrior {
@@ -49,12 +49,13 @@ class SearchesTheRest final : public RangePrior {
   }
 };
 
-/// Towers of 25 m, 20 m wide, on a plain, 60 m from each other; seen from both sides.
+/// Blocks of 25 m, 64 m wide, 56 m from each other on a plain; seen from both sides. What is
+/// narrower than 60 m becomes a building, whose roof has no texture.
 SatelliteSceneSpec town(const std::string& folder) {
-  cv::Mat1f tower(120, 120, 100.0F);  // the generator repeats it, mirrored
-  tower(cv::Rect(40, 40, 40, 40)).setTo(125);
-  const std::string file = folder + "/tower.tif";
-  write_raster(file, {tower, {}, {}, {}});
+  cv::Mat1f blocks(120, 120, 100.0F);  // the generator repeats it, mirrored
+  blocks(cv::Rect(56, 56, 64, 64)).setTo(125);
+  const std::string file = folder + "/blocks.tif";
+  write_raster(file, {blocks, {}, {}, {}});
   SatelliteSceneSpec spec;
   spec.size = kSize;
   spec.relief_file = file;
@@ -143,7 +144,7 @@ void for_each_cell(const Run& run, const std::function<void(CellReason, const Tr
   const Raster& truth = run.scene.surface;
   REQUIRE(crs_name(result.grid.crs) == crs_name(horizontal(truth.crs)));
   cv::Mat1b both;
-  cv::bitwise_and(run.scene.visible[0], run.scene.visible[1], both);
+  cv::bitwise_and(run.scene.visible[0] == 255, run.scene.visible[1] == 255, both);
   cv::Mat1b visible, hidden;
   cv::erode(both, visible, cv::Mat(), {-1, -1}, 2);
   cv::erode(255 - both, hidden, cv::Mat(), {-1, -1}, 2);
@@ -228,10 +229,10 @@ TEST_CASE("cells under a mask, outside of an image and outside of the bounds say
   CHECK(share(CellReason::outside_bounds, [](CellReason, const TrueCell& cell) {
           return within({0, 0, kUnsearched - 20, kSize}, cell.base, 2) &&
                  within(kImage, cell.match, 12);
-        }) > 0.98);
+        }) > 0.94);
 }
 
-TEST_CASE("the hidden sides of buildings are occluded, not filtered") {
+TEST_CASE("the hidden sides of blocks are occluded, not filtered") {
   const double hidden = share(CellReason::occluded, [](CellReason found, const TrueCell& cell) {
     return is_searched(cell) && cell.is_hidden && found != CellReason::height;
   });
@@ -239,7 +240,7 @@ TEST_CASE("the hidden sides of buildings are occluded, not filtered") {
     return is_searched(cell) && cell.visible_in_both && found != CellReason::height;
   });
   MESSAGE("occluded: " << hidden << " of the hidden empty cells, " << visible << " of the visible");
-  CHECK(hidden > 0.9);
+  CHECK(hidden > 0.85);
   CHECK(hidden > 4 * visible);
   // What is searched in vain was seen, and its bounds were not empty.
   CHECK(share(CellReason::not_seen,

@@ -192,9 +192,10 @@ TEST_CASE("a scene in YAML: all mistakes at once, each with its place") {
 TEST_CASE("a run that is killed leaves no part of a file, and the next one works") {
   const SatelliteDesk desk;
   const std::string run = "run dsm_tsgm8 " + kPair + "--dem scene/dem.tif --output out";
-  const std::vector<std::string> known{"dsm.tif",         "pairs.tif", "spread.tif",
-                                       "orthoimage.tif",  "dsm.png",   "image_1_rpc.txt",
-                                       "image_2_rpc.txt", "run.json",  "unfinished.json"};
+  const std::vector<std::string> known{
+      "dsm.tif",         "pairs.tif", "spread.tif",     "gap.tif",   "source.tif",
+      "orthoimage.tif",  "dsm.png",   "reasons.tif",    "cloud.ply", "image_1_rpc.txt",
+      "image_2_rpc.txt", "run.json",  "unfinished.json"};
   const auto begin = std::chrono::steady_clock::now();
   REQUIRE(desk.call(run).exit_code == 0);
   const std::chrono::duration<double> whole = std::chrono::steady_clock::now() - begin;
