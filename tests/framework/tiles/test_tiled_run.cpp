@@ -138,6 +138,7 @@ TEST_CASE("a run in tiles looks like one run to its observer, and can be cancell
   CHECK_THROWS_AS(in_tiles_of(pipeline, request, {}, {.stop = stop.get_token()}), Cancelled);
 }
 
+#ifndef XGM_SANITIZED  // sanitizers need memory of their own
 TEST_CASE("tiles are as large as the memory allows") {
   const MatchRequest request{xgm::testing::shifted_pair({1600, 1200}, 3, 1),
                              DisparityRange::uniform({1600, 1200}, {0, 128}), std::nullopt};
@@ -150,3 +151,4 @@ TEST_CASE("tiles are as large as the memory allows") {
   CHECK_THROWS_WITH_AS(fitting_tiles(pipeline, request, 1e9, base, {}),
                        doctest::Contains("raise --memory-limit"), UsageError);
 }
+#endif
