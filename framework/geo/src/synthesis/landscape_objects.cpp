@@ -60,17 +60,24 @@ struct Building {
   }
 };
 
+/// Two statements: in which order arguments of a call are evaluated is up to the compiler.
+cv::Point2d random_point(Random& random, double low, double high) {
+  const double y = random.real(low, high);
+  const double x = random.real(low, high);
+  return {x, y};
+}
+
 Building make_building(Random& random, cv::Point2d lot) {
   const double angle = random.real(0, std::numbers::pi);
-  Building building{
-      .middle = lot + cv::Point2d(random.real(0.4, 0.6), random.real(0.4, 0.6)) * kLot,
-      .cosine = std::cos(angle),
-      .sine = std::sin(angle),
-      .length = random.real(6, 14),
-      .width = random.real(4, 8),
-      .height = random.real(4, 20),
-      .gable = 0,
-      .albedo = random.real(0.2, 0.8)};
+  const cv::Point2d aside = random_point(random, 0.4, 0.6);
+  Building building{.middle = lot + aside * kLot,
+                    .cosine = std::cos(angle),
+                    .sine = std::sin(angle),
+                    .length = random.real(6, 14),
+                    .width = random.real(4, 8),
+                    .height = random.real(4, 20),
+                    .gable = 0,
+                    .albedo = random.real(0.2, 0.8)};
   if (random.real(0, 1) < 0.4) building.gable = random.real(1.5, 4);
   return building;
 }
@@ -97,8 +104,7 @@ void build(const Building& building, Landscape& land) {
 
 void plant(std::uint64_t key, cv::Point2d corner, const cv::Mat1f& ground, Landscape& land) {
   Random random(key);
-  const cv::Point2d middle =
-      corner + cv::Point2d(random.real(0, kTreeStep), random.real(0, kTreeStep));
+  const cv::Point2d middle = corner + random_point(random, 0, kTreeStep);
   const double height = random.real(4, 15), radius = random.real(1.8, 3.8);
   for_cells(land, middle, radius, [&](int row, int column, cv::Point2d p) {
     const double inside = 1 - p.dot(p) / (radius * radius);
