@@ -155,7 +155,11 @@ SurfaceFiles read_surface_scene(const std::string& file) {
                      "--images");
   }
   if (!fs::exists(file)) throw UsageError(file + ": there is no such file");
-  return Reader(file).read();
+  try {
+    return Reader(file).read();
+  } catch (const Error& error) {
+    throw UsageError(error.message());  // such as an empty file: nothing has been matched yet
+  }
 }
 
 }  // namespace xgm::geo
