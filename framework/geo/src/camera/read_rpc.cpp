@@ -11,6 +11,7 @@
 #include "camera/rpc_fields.hpp"
 #include "camera/rpc_formats.hpp"
 #include "ground/gdal.hpp"
+#include "ground/paths.hpp"
 #include "xgm/base/error.hpp"
 
 namespace xgm::geo {
@@ -39,7 +40,7 @@ std::vector<RpcModel> read_rpc_of_image(const std::string& file) {
 }
 
 std::vector<RpcModel> read_rpc(const std::string& file) {
-  if (!std::filesystem::exists(file)) throw Error(file + ": there is no such file");
+  if (!is_there(file)) throw Error(file + ": there is no such file");
   if (ends_with_one_of(file, {".xml"})) return read_xml_rpc(file);
   if (ends_with_one_of(file, {".txt", ".rpb", ".geom", ".yaml", ".yml", ".json", ".rpc"})) {
     return read_text_rpc(file);

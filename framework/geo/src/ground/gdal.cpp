@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ground/gdal.hpp"
+#include "ground/paths.hpp"
 
 #include <cpl_error.h>
 
-#include <filesystem>
 #include <mutex>
 
 #include "xgm/base/error.hpp"
@@ -23,9 +23,9 @@ DatasetPtr open_raster(const std::string& file) {
   static std::once_flag registered;
   std::call_once(registered, [] { GDALAllRegister(); });
   const QuietGdal quiet;
-  if (!std::filesystem::exists(file)) throw Error(file + ": there is no such file");
+  if (!is_there(file)) throw Error(file + ": there is no such file");
   DatasetPtr dataset(GDALDataset::Open(file.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY));
-  if (dataset == nullptr && std::filesystem::is_directory(file)) {
+  if (dataset == nullptr && is_folder(file)) {
     throw Error(file + ": is a folder; name a file in it");
   }
   if (dataset == nullptr) {

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "ground/gdal.hpp"
+#include "ground/paths.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/geo/ground/dem.hpp"
 
@@ -23,7 +24,7 @@ struct Tile {
 
 /// "FILE,DATUM" in its parts.
 std::pair<std::string, std::string> split_datum(const std::string& text) {
-  if (fs::exists(text)) return {text, ""};
+  if (is_there(text)) return {text, ""};
   const std::size_t comma = text.rfind(',');
   if (comma == std::string::npos) return {text, ""};
   return {text.substr(0, comma), text.substr(comma + 1)};
@@ -37,7 +38,7 @@ bool is_raster(const std::string& file) {
 
 /// Of a folder: the rasters in it, by their names.
 std::vector<std::string> rasters_of(const std::string& path) {
-  if (!fs::is_directory(path)) return {path};
+  if (!is_folder(path)) return {path};
   std::vector<std::string> files;
   for (const fs::directory_entry& entry : fs::directory_iterator(path)) {
     if (entry.is_regular_file() && is_raster(entry.path().string())) {

@@ -3,9 +3,9 @@
 #include <ogrsf_frmts.h>
 
 #include <cmath>
-#include <filesystem>
 
 #include "ground/gdal.hpp"
+#include "ground/paths.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/geo/ground/area.hpp"
 
@@ -102,7 +102,7 @@ Outline corners_of(GDALDataset& raster, const std::string& file) {
 Outline read_outline(const std::string& file) {
   GDALAllRegister();
   const QuietGdal quiet;
-  if (!std::filesystem::exists(file)) throw UsageError(file + ": there is no such file");
+  if (!is_there(file)) throw UsageError(file + ": there is no such file");
   const DatasetPtr dataset(
       GDALDataset::Open(file.c_str(), GDAL_OF_VECTOR | GDAL_OF_RASTER | GDAL_OF_READONLY));
   if (dataset == nullptr) {

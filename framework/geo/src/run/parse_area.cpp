@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <charconv>
-#include <filesystem>
 #include <string_view>
 
+#include "ground/paths.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/geo/run/surface_files.hpp"
 
@@ -47,7 +47,7 @@ DegreeBox checked(const DegreeBox& box, const std::string& text) {
 WantedArea parse_area(const std::string& text) {
   WantedArea area;
   if (text.empty()) return area;
-  if (std::filesystem::exists(text)) {
+  if (is_there(text)) {
     area.outline = read_outline(text);
     area.box = bounds_of(area.outline);
     return area;

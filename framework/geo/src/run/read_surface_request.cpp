@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "ground/paths.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/geo/ground/dem.hpp"
 #include "xgm/geo/image/footprint.hpp"
@@ -139,7 +140,7 @@ std::vector<NamedFile> files_of(const SurfaceFiles& files) {
   add("cloud", files.clouds);
   add("truth", {files.truth});
   add("DEM", dem_files(files.dem));
-  if (fs::exists(files.area)) add("area", {files.area});
+  if (is_there(files.area)) add("area", {files.area});
   return read;
 }
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <set>
 
+#include "ground/paths.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/base/suggest.hpp"
 #include "xgm/config/diagnostics.hpp"
@@ -87,9 +88,9 @@ class Reader {
     if (!node.IsScalar())
       return add(node, key + " must be a list of files", "write [a.tif, b.tif]");
     const std::string file = path(node.Scalar());
-    if (fs::is_directory(file)) {
+    if (is_folder(file)) {
       add(node, file + " is a folder", "name a file in it");
-    } else if (!fs::exists(file)) {
+    } else if (!is_there(file)) {
       add(node, "there is no file " + file, "paths are relative to the scene's file");
     }
     files.push_back(file);
@@ -105,7 +106,7 @@ class Reader {
       return add(node, "dem must be a file or a list of files", "write dem: \"dem.tif,egm96\"");
     }
     const std::string file = path(node.Scalar());
-    if (!fs::exists(file) && !fs::exists(file.substr(0, file.rfind(',')))) {
+    if (!is_there(file) && !is_there(file.substr(0, file.rfind(',')))) {
       add(node, "there is no file " + file, "paths are relative to the scene's file");
     }
     files_.dem.push_back(file);
@@ -123,7 +124,7 @@ class Reader {
         text += (text.empty() ? "" : ",") + (item.IsScalar() ? item.Scalar() : "?");
       }
     }
-    if (fs::exists(path(text)) && !text.empty()) text = path(text);
+    if (is_there(path(text)) && !text.empty()) text = path(text);
     try {
       parse_area(text.empty() ? "?" : text);
     } catch (const UsageError& error) {
@@ -149,12 +150,12 @@ class Reader {
 }  // namespace
 
 SurfaceFiles read_surface_scene(const std::string& file) {
-  if (fs::is_directory(file)) {
+  if (is_folder(file)) {
     throw UsageError(file +
                      ": is a folder; name the file of a scene in it (scene.yaml), or give "
                      "--images");
   }
-  if (!fs::exists(file)) throw UsageError(file + ": there is no such file");
+  if (!is_there(file)) throw UsageError(file + ": there is no such file");
   try {
     return Reader(file).read();
   } catch (const Error& error) {
