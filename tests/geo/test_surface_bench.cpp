@@ -9,8 +9,8 @@
 #include "support/support.hpp"
 #include "support/temporary_folder.hpp"
 #include "xgm/base/json.hpp"
+#include "xgm/geo/bench/surface_bench.hpp"
 #include "xgm/geo/evaluation/spikes.hpp"
-#include "xgm/geo/evaluation/surface_bench.hpp"
 #include "xgm/io/file.hpp"
 #include "xgm/pipeline/lookup.hpp"
 

@@ -13,8 +13,8 @@
 #include "options/scene_request.hpp"
 #include "xgm/base/parallel.hpp"
 #include "xgm/base/suggest.hpp"
-#include "xgm/geo/evaluation/surface_bench.hpp"
-#include "xgm/geo/ground/dem.hpp"
+#include "xgm/geo/bench/surface_bench.hpp"
+#include "xgm/geo/run/recorded_surface.hpp"
 #include "xgm/io/file.hpp"
 #include "xgm/io/require_apart.hpp"
 #include "xgm/pipeline/lookup.hpp"
@@ -85,10 +85,9 @@ void require_inputs_apart(const geo::SurfaceBenchRequest& request) {
   for (const BenchPipeline& pipeline : request.pipelines)
     read.push_back({"pipeline", pipeline.file});
   for (const geo::SurfaceScene& scene : request.scenes) {
-    for (const std::string& image : scene.images) read.push_back({"image", image});
-    for (const std::string& file : scene.visible) read.push_back({"visible", file});
-    if (!scene.dem.empty()) read.push_back({"DEM", geo::dem_files({scene.dem}).front()});
-    read.push_back({"truth", scene.truth});
+    const std::vector<NamedFile> files = geo::files_of(scene.files);
+    read.insert(read.end(), files.begin(), files.end());
+    for (const std::string& file : scene.files.visible) read.push_back({"visible", file});
   }
   for (const SurfaceTable& table : kTables) {
     written.push_back({"--output", (fs::path(request.output) / table.file).string()});
@@ -97,7 +96,7 @@ void require_inputs_apart(const geo::SurfaceBenchRequest& request) {
     for (std::size_t i = 0; i < request.pipelines.size(); ++i) {
       const std::string folder = geo::cell_folder(request, i, scene);
       for (const std::string& file : job_files(folder)) written.push_back({"--output", file});
-      for (const char* name : {"dsm.tif", "dsm.png", "pairs.tif", "spread.tif", "orthoimage.tif"}) {
+      for (const std::string& name : geo::output_names(request.scenes[scene].files)) {
         written.push_back({"--output", (fs::path(folder) / name).string()});
       }
     }
@@ -108,10 +107,20 @@ void require_inputs_apart(const geo::SurfaceBenchRequest& request) {
 std::vector<std::string> input_words(const BenchPipeline& pipeline,
                                      const geo::SurfaceScene& scene) {
   const auto whole = [](const std::string& file) { return fs::absolute(file).string(); };
-  std::vector<std::string> words{"--truth=" + whole(scene.truth)};
-  if (!scene.dem.empty()) words.push_back("--dem=" + whole(scene.dem));
-  words.emplace_back("--images");
-  for (const std::string& image : scene.images) words.push_back(whole(image));
+  const geo::SurfaceFiles& files = scene.files;
+  std::vector<std::string> words{"--truth=" + whole(files.truth)};
+  if (files.band > 0) words.push_back("--band=" + std::to_string(files.band));
+  if (!files.area.empty())
+    words.push_back("--area=" + (fs::exists(files.area) ? whole(files.area) : files.area));
+  const auto add = [&](const std::string& option, const std::vector<std::string>& names) {
+    if (names.empty()) return;
+    words.push_back(option);
+    for (const std::string& name : names) words.push_back(whole(name));
+  };
+  add("--masks", files.masks);
+  add("--cameras", files.cameras);
+  add("--dem", files.dem);
+  add("--images", files.images);
   words.insert(words.end(), {"--", pipeline.file});
   return words;
 }

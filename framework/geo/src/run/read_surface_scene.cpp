@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What the last two hold is for others: which cells an image shows, what a scene was made with.
+// What `generated` holds is for people: what a scene was made with.
 const std::vector<std::string> kKeys{"images", "masks", "cameras", "dem",      "area",
                                      "band",   "truth", "visible", "generated"};
 
@@ -76,7 +76,9 @@ class Reader {
       std::vector<std::string> files;
       read_path(value, key, files);
       if (!files.empty()) files_.truth = files.front();
-    } else if (key != "visible" && key != "generated") {
+    } else if (key == "visible") {
+      read_paths(value, key, files_.visible);
+    } else if (key != "generated") {
       add(name, "there is no key '" + key + "' in a scene of satellite images",
           suggest(key, kKeys, "keys"));
     }

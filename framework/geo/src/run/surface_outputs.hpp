@@ -8,8 +8,6 @@
 
 namespace xgm::geo {
 
-/// All but the record, by the names they have in the folder.
-std::vector<std::string> output_names(const SurfaceFiles& files);
 void write_outputs(const SurfaceResult& result, const RunFolder& folder);
 
 Json grid_json(const GridSpec& grid, const Raster& heights);

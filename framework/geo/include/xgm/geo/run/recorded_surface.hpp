@@ -15,6 +15,9 @@
 
 namespace xgm::geo {
 
+/// The files that a run writes to its folder, run.json aside.
+XGM_API std::vector<std::string> output_names(const SurfaceFiles& files);
+
 struct SurfaceRecordRequest {
   std::string folder{};                     ///< made if it is missing
   std::string geoid{};                      ///< heights are above it: "egm96"; empty: the ellipsoid

@@ -20,6 +20,9 @@ struct SurfaceFiles {
   /// Clouds of earlier runs in place of images: nothing is matched, the surface is made of them.
   std::vector<std::string> clouds{};
   std::string truth{};  ///< raster of true heights to compare with; empty: none
+  /// Of each image, on the truth's grid: 0 where it does not show the cell. None: all cells that
+  /// have a true height are judged. Only benches read them.
+  std::vector<std::string> visible{};
 };
 
 /// The part of the ground that is wanted; what it is not given by is empty.
@@ -40,9 +43,9 @@ XGM_API SurfaceRequest read_surface_request(const SurfaceFiles& files);
 /// All files that are read.
 XGM_API std::vector<NamedFile> files_of(const SurfaceFiles& files);
 
-/// From a scene in YAML: its keys are images, masks, cameras, dem, area, band and truth, as above;
-/// paths are relative to the file. Throws UsageError with all its mistakes, each with line and
-/// column.
+/// From a scene in YAML: its keys are images, masks, cameras, dem, area, band, truth and visible,
+/// as above; paths are relative to the file. Throws UsageError with all its mistakes, each with
+/// line and column.
 XGM_API SurfaceFiles read_surface_scene(const std::string& file);
 
 }  // namespace xgm::geo

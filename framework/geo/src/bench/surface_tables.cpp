@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The tables of surface benches.
-#include "evaluation/surface_columns.hpp"
+#include "bench/surface_columns.hpp"
 #include "xgm/plugin/version.hpp"
 
 namespace xgm::geo {

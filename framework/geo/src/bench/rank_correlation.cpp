@@ -4,7 +4,7 @@
 #include <limits>
 #include <numeric>
 
-#include "xgm/geo/evaluation/surface_bench.hpp"
+#include "xgm/geo/bench/surface_bench.hpp"
 
 namespace xgm::geo {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every pipeline on every scene, as jobs; and what their results amount to.
-#include "xgm/geo/evaluation/surface_bench.hpp"
+#include "xgm/geo/bench/surface_bench.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,6 @@
 #include "xgm/base/error.hpp"
 #include "xgm/evaluation/evaluation_json.hpp"
 #include "xgm/geo/evaluation/spikes.hpp"
-#include "xgm/geo/ground/dem.hpp"
 #include "xgm/pipeline/installation.hpp"
 
 namespace xgm::geo {
@@ -22,16 +21,17 @@ constexpr const char* kSurface = "dsm.tif";
 std::string identity(const SurfaceBenchRequest& request, const BenchPipeline& pipeline,
                      const SurfaceScene& scene) {
   std::vector<FileIdentity> files;
-  for (const std::string& image : scene.images) files.push_back(identify_file(image));
-  if (!scene.dem.empty()) files.push_back(identify_file(dem_files({scene.dem}).front()));
-  files.push_back(identify_file(scene.truth));
-  return Json{
-      {"format", kFormat},
-      {"program", identity_json(request.program)},
-      {"pipeline", Json::parse(pipeline.resolved)},
-      {"dem", scene.dem.empty() ? "" : scene.dem.substr(dem_files({scene.dem}).front().size())},
-      {"files", identity_json(files)},
-      {"threads", request.threads}}
+  for (const NamedFile& file : files_of(scene.files)) files.push_back(identify_file(file.file));
+  Json dem = Json::array();  // with datums
+  for (const std::string& name : scene.files.dem) dem.push_back(name);
+  return Json{{"format", kFormat},
+              {"program", identity_json(request.program)},
+              {"pipeline", Json::parse(pipeline.resolved)},
+              {"dem", dem},
+              {"area", scene.files.area},
+              {"band", scene.files.band},
+              {"files", identity_json(files)},
+              {"threads", request.threads}}
       .dump();
 }
 

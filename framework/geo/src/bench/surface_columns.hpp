@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "xgm/evaluation/table.hpp"
-#include "xgm/geo/evaluation/surface_bench.hpp"
+#include "xgm/geo/bench/surface_bench.hpp"
 
 namespace xgm::geo {
 

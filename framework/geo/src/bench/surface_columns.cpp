@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "evaluation/surface_columns.hpp"
+#include "bench/surface_columns.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "xgm/evaluation/bench.hpp"
+#include "xgm/geo/bench/surface_scene.hpp"
 #include "xgm/geo/evaluation/surface_errors.hpp"
-#include "xgm/geo/evaluation/surface_scene.hpp"
 
 namespace xgm::geo {
 

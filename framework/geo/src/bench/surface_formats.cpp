@@ -3,7 +3,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "evaluation/surface_columns.hpp"
+#include "bench/surface_columns.hpp"
 #include "xgm/base/json.hpp"
 #include "xgm/evaluation/record_json.hpp"
 #include "xgm/evaluation/report.hpp"
