@@ -105,9 +105,11 @@ cv::Mat1f on_grid_of(const Raster& surface, const Raster& truth) {
         "only one of the surface and the truth has a georeference; give both one, or "
         "compare them cell by cell without");
   }
-  const bool with_datum = has_heights(surface.crs) && has_heights(truth.crs);
-  const CrsTransform to_surface(with_datum ? truth.crs : horizontal(truth.crs),
-                                with_datum ? surface.crs : horizontal(surface.crs));
+  const Crs from = crs_with_heights(truth.crs, truth.metadata);
+  const Crs to = crs_with_heights(surface.crs, surface.metadata);
+  const bool with_datum = has_heights(from) && has_heights(to);
+  const CrsTransform to_surface(with_datum ? from : horizontal(from),
+                                with_datum ? to : horizontal(to));
   cv::Mat1f values(truth.values.size(), kNone);
   parallel_for(0, values.rows, [&](int row) {
     for (int column = 0; column < values.cols; ++column) {

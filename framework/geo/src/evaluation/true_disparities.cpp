@@ -17,10 +17,8 @@ constexpr double kLift = 0.3;  // m above a point from which its occluder is loo
 
 /// A raster's CRS with heights above the ellipsoid.
 Crs crs_of(const Raster& surface) {
-  const auto datum = surface.metadata.find("vertical_datum");
-  const bool says = datum != surface.metadata.end() && datum->second == kEllipsoidalHeights;
-  if (!surface.crs.empty() && has_ellipsoidal_heights(surface.crs)) return surface.crs;
-  if (!surface.crs.empty() && says) return with_heights(surface.crs, "ellipsoid");
+  const Crs crs = crs_with_heights(surface.crs, surface.metadata);
+  if (!crs.empty() && has_ellipsoidal_heights(crs)) return crs;
   throw Error(
       "the true surface does not say that its heights are above the ellipsoid; so true "
       "disparities are not known");

@@ -66,11 +66,8 @@ Tile open_tile(const std::string& file, const std::string& datum) {
     throw UsageError(file + ": this DEM has no CRS; assign one (gdal_edit.py -a_srs)");
   }
   require_degrees(tile.head.place, crs, file);
-  if (!datum.empty()) {
-    crs = with_heights(horizontal(crs), datum);
-  } else if (!has_heights(crs) && tile.head.metadata["vertical_datum"] == kEllipsoidalHeights) {
-    crs = with_heights(crs, "ellipsoid");
-  }
+  crs = datum.empty() ? crs_with_heights(crs, tile.head.metadata)
+                      : with_heights(horizontal(crs), datum);
   return tile;
 }
 

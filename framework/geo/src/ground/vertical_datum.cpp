@@ -9,6 +9,13 @@
 
 namespace xgm::geo {
 
+Crs crs_with_heights(const Crs& crs, const std::map<std::string, std::string>& metadata) {
+  if (crs.empty() || has_heights(crs)) return crs;
+  const auto datum = metadata.find("vertical_datum");
+  const bool is_ellipsoidal = datum != metadata.end() && datum->second == kEllipsoidalHeights;
+  return is_ellipsoidal ? with_heights(crs, "ellipsoid") : crs;
+}
+
 cv::Mat1d transformed_heights(const Raster& raster, const CrsTransform& transform) {
   cv::Mat1d heights(raster.values.size(), std::numeric_limits<double>::quiet_NaN());
   parallel_for(0, heights.rows, [&](int row) {

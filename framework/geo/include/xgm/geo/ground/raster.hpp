@@ -33,6 +33,11 @@ struct Raster {
   std::map<std::string, std::string> metadata;  ///< of the file: "vertical_datum", ...
 };
 
+/// The CRS of a raster with what its heights are counted from, if either the CRS says that, or
+/// "vertical_datum" in the metadata says the ellipsoid; else without. Throws Error if PROJ does not
+/// know it.
+XGM_API Crs crs_with_heights(const Crs& crs, const std::map<std::string, std::string>& metadata);
+
 /// What a raster file says of its values.
 struct RasterHead {
   cv::Size size;
