@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "support/sample_camera.hpp"
 #include "support/support.hpp"
 #include "support/temporary_folder.hpp"
 #include "xgm/base/error.hpp"
@@ -14,30 +15,14 @@ using namespace xgm;
 using namespace xgm::geo;
 using xgm::testing::contains;
 using xgm::testing::error_of;
+using xgm::testing::sample_camera;
 using xgm::testing::TemporaryFolder;
 
 namespace {
 
-RpcModel model() {
-  RpcModel model{.column = {5000.5, 5000},
-                 .row = {4000.25, 4000},
-                 .longitude = {55.7, 0.0241},
-                 .latitude = {-21.2, 0.0226},
-                 .height = {1200, 1300},
-                 .column_ratio = {},
-                 .row_ratio = {}};
-  double next = 1;
-  for (auto* ratio : {&model.column_ratio, &model.row_ratio}) {
-    for (auto* polynomial : {&ratio->numerator, &ratio->denominator}) {
-      for (double& value : *polynomial) value = (next *= -0.75);
-    }
-  }
-  return model;
-}
-
 /// The text with another value of a key.
 std::string with(const std::string& key, const std::string& value) {
-  std::string text = rpc_text(model());
+  std::string text = rpc_text(sample_camera());
   const std::size_t begin = text.find(key + ": ") + key.size() + 2;
   return text.replace(begin, text.find('\n', begin) - begin, value);
 }
@@ -46,7 +31,7 @@ std::string with(const std::string& key, const std::string& value) {
 
 TEST_CASE("a camera that is written and read is the same, digit by digit") {
   const TemporaryFolder folder;
-  RpcModel extreme = model();
+  RpcModel extreme = sample_camera();
   extreme.row_ratio.numerator[3] = std::numeric_limits<double>::denorm_min();
   extreme.row_ratio.numerator[4] = -std::numeric_limits<double>::max();
   extreme.height.offset = 1.0 / 3;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fuzz/support/target.hpp"
+#include "support/sample_camera.hpp"
 #include "support/temporary_folder.hpp"
 #include "xgm/geo/camera/read_rpc.hpp"
 #include "xgm/geo/camera/write_rpc.hpp"
@@ -42,24 +43,7 @@ void check_cameras(const std::vector<RpcModel>& models) {
   }
 }
 
-RpcModel sample_camera() {
-  RpcModel model{.column = {5000.5, 5000},
-                 .row = {4000.25, 4000},
-                 .longitude = {55.7, 0.0241},
-                 .latitude = {-21.2, 0.0226},
-                 .height = {1200, 1300},
-                 .column_ratio = {},
-                 .row_ratio = {}};
-  double next = 1;
-  for (auto* ratio : {&model.column_ratio, &model.row_ratio}) {
-    for (auto* polynomial : {&ratio->numerator, &ratio->denominator}) {
-      for (double& value : *polynomial) value = (next *= -0.75);
-    }
-  }
-  return model;
-}
-
-std::string sample_text() { return geo::rpc_text(sample_camera()); }
+std::string sample_text() { return geo::rpc_text(testing::sample_camera()); }
 
 std::vector<std::string> rpc_words() {
   return {"LINE_OFF", "samp_scale", "lineOffset",    "sampNumCoef", "lineDenCoef",

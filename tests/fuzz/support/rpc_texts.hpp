@@ -13,8 +13,6 @@ namespace xgm::fuzz {
 /// scales are not 0, and written as text and read again it is the same.
 void check_cameras(const std::vector<geo::RpcModel>& models);
 
-/// A camera whose 90 numbers all differ.
-geo::RpcModel sample_camera();
 /// "KEY: value", a line each.
 std::string sample_text();
 /// Names of fields as formats spell them, and numbers that are hard to read.

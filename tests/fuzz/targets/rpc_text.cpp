@@ -3,6 +3,7 @@
 // 'y' .yaml, 'j' .json; the rest is the file.
 #include "fuzz/support/rpc_texts.hpp"
 #include "fuzz/support/target.hpp"
+#include "support/sample_camera.hpp"
 #include "support/temporary_folder.hpp"
 #include "xgm/geo/camera/read_rpc.hpp"
 
@@ -26,7 +27,7 @@ std::string name_for(char kind) {
 
 /// {"row_offset": 1, ..., "row_num": [1, 2, ...]}: what rpcm writes; it is YAML, too.
 std::string dictionary() {
-  const geo::RpcModel model = sample_camera();
+  const geo::RpcModel model = testing::sample_camera();
   std::string text = "{";
   const auto axis = [&](const std::string& name, const geo::RpcAxis& a) {
     text += "\"" + name + "_offset\": " + std::to_string(a.offset) + ", \"" + name +
