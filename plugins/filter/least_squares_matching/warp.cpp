@@ -2,18 +2,11 @@
 #include "plugins/filter/least_squares_matching/warp.hpp"
 
 #include <cmath>
-#include <vector>
 
 #include "xgm/base/parallel.hpp"
 
 namespace xgm::least_squares_matching {
 namespace {
-
-cv::Mat1f grey(const Image& image) {
-  cv::Mat1f sum = image.planes.front().clone();
-  for (std::size_t k = 1; k < image.planes.size(); ++k) sum += image.planes[k];
-  return cv::Mat1f(sum / static_cast<double>(image.planes.size()));
-}
 
 struct Sample {
   float value, slope;
@@ -38,9 +31,9 @@ bool all_valid(const Image& image, int y, int first, int count) {
 
 Warped warp(const DisparityMap& map, const ImagePair& pair) {
   constexpr int kSamples = 4;
-  Warped warped{grey(pair.base), cv::Mat1f(map.size(), 0.0F), cv::Mat1f(map.size(), 0.0F),
+  Warped warped{pair.base.grey(), cv::Mat1f(map.size(), 0.0F), cv::Mat1f(map.size(), 0.0F),
                 cv::Mat1f(map.size(), 0.0F)};
-  const cv::Mat1f match = grey(pair.match);
+  const cv::Mat1f match = pair.match.grey();
   parallel_for(0, map.size().height, [&](int y) {
     for (int x = 0; x < map.size().width; ++x) {
       if (map.at(y, x) != Status::matched || !pair.base.is_valid(y, x)) continue;

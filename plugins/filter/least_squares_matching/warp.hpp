@@ -8,7 +8,7 @@
 namespace xgm::least_squares_matching {
 
 struct Warped {
-  cv::Mat1f base;   ///< grey levels of the base image, mean of its planes
+  cv::Mat1f base;   ///< grey levels of the base image
   cv::Mat1f match;  ///< those of the match image at x - disparity; 0 where `seen` is not set
   cv::Mat1f slope;  ///< their derivative along the row, grey levels per px
   cv::Mat1f seen;   ///< 1 where a pixel is matched and both images have data around it, else 0

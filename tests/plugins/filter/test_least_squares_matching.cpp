@@ -48,9 +48,9 @@ ImagePair plane(cv::Size size, double disparity, double gain, double offset) {
 }
 
 double grey(const Image& image, int y, int x) {
-  double sum = 0;
-  for (const cv::Mat1f& p : image.planes) sum += double{p(y, x)};
-  return sum / static_cast<double>(image.planes.size());
+  if (image.planes.size() == 1) return double{image.planes[0](y, x)};
+  return 0.114 * double{image.planes[0](y, x)} + 0.587 * double{image.planes[1](y, x)} +
+         0.299 * double{image.planes[2](y, x)};
 }
 
 /// Keys' kernel, a = -1/2, and its derivative.
