@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // pipeline run: match a pair of images.
+#include <algorithm>
 #include <memory>
 
 #include "commands.hpp"
@@ -38,9 +39,9 @@ MatchPair matching(const RunCommandOptions& options, const Pipeline& pipeline) {
         "match a part of the images as a whole");
   }
   if (text == "auto") return tiles::in_tiles(pipeline, std::nullopt);
-  const std::size_t by = text.find('x');
+  const std::size_t by = std::min(text.find('x'), text.size() - 1);
   const auto width = to_number<int>(text.substr(0, by));
-  const auto height = by == std::string::npos ? width : to_number<int>(text.substr(by + 1));
+  const auto height = to_number<int>(text.substr(by + 1));
   constexpr int kSmallest = 64;
   if (!width || !height || *width < kSmallest || *height < kSmallest) {
     throw UsageError("--tiles " + text + ": write auto, or WIDTHxHEIGHT in px, each at least " +

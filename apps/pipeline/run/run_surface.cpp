@@ -125,6 +125,11 @@ bool is_surface(const Pipeline& pipeline, const RunCommandOptions& options) {
         "--cloud is for stereo pairs: a surface's points are always in DIR/cloud.ply; --clouds "
         "FILE.ply ... makes a surface of them again");
   }
+  if (surface && !options.tiles.empty()) {
+    throw UsageError(
+        "--tiles is for stereo pairs: satellite images are matched in windows anyway, whose size "
+        "is --set tile=1000");
+  }
   const bool for_surfaces = !options.satellite_images.empty() ||
                             !options.satellite_clouds.empty() || !options.satellite_masks.empty() ||
                             !options.satellite_cameras.empty() || !options.dem.empty() ||

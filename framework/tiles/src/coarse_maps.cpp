@@ -96,11 +96,12 @@ Interval likely(const CoarseMaps& coarse, const cv::Rect& place, Interval limits
     }
   }
   if (low > high) return limits;
-  // Search ranges are relaxed by some pixels at each level below.
-  constexpr int kRelaxed = 8;
+  // Each finer level may go on by the relaxation of its search range, px of its own: from the
+  // coarse level to the images that is less than the same number of coarse px. A margin of 5 is
+  // enough for relaxations of up to 4, which the shipped pipelines do not exceed.
+  constexpr float kMargin = 5;
   const auto scale = static_cast<float>(coarse.scale);
-  const Interval found{cvFloor((low - 1) * scale) - kRelaxed,
-                       cvCeil((high + 1) * scale) + kRelaxed + 1};
+  const Interval found{cvFloor((low - kMargin) * scale), cvCeil((high + kMargin) * scale) + 1};
   const Interval both = intersect(found, limits);
   return both.empty() ? limits : both;
 }

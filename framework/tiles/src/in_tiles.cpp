@@ -30,20 +30,70 @@ std::string text(cv::Size size) {
   return std::to_string(size.width) + " x " + std::to_string(size.height) + " px";
 }
 
+/// No more is matched at once in the coarse levels than in a tile.
+TileOptions tiles_of(cv::Size size) {
+  TileOptions tiles;
+  tiles.size = size;
+  tiles.coarse_pixels = std::min(tiles.coarse_pixels, double{1} * size.width * size.height);
+  return tiles;
+}
+
+/// What the whole process takes with tiles of a size.
+class TilePlan {
+ public:
+  TilePlan(const Pipeline& pipeline, const MatchRequest& request, double held,
+           const RunOptions& options)
+      : trace_(RunTrace::of_memory(pipeline, request, options)),
+        whole_(request.pair.size()),
+        held_(held) {
+    request_.load = workload_of(request, options.threads > 0 ? options.threads : thread_count());
+  }
+
+  double bytes(const TileOptions& tiles) const {
+    PlanRequest request = request_;
+    // Columns in which the other view may show the pixels of the tile are read and matched, too.
+    const int aside = 2 * (tiles.halo + request.load.range.size());
+    request.load.size = {std::min(whole_.width, tiles.size.width + aside),
+                         std::min(whole_.height, tiles.size.height + 2 * tiles.halo)};
+    return held_ + plan_run(trace_, request).peak_bytes;
+  }
+
+ private:
+  RunTrace trace_;
+  PlanRequest request_;
+  cv::Size whole_;
+  double held_;
+};
+
+TileOptions chosen(const Pipeline& pipeline, const MatchRequest& request, const SceneInputs& inputs,
+                   const RunOptions& options) {
+  const double free =
+      static_cast<double>(available_memory()) + static_cast<double>(resident_memory());
+  return fitting_tiles(pipeline, request, held(request, inputs), inputs.memory_limit.value_or(free),
+                       options);
+}
+
+/// Throws UsageError if tiles of this size do not fit the limit, if there is one.
+TileOptions checked(const Pipeline& pipeline, const MatchRequest& request,
+                    const SceneInputs& inputs, const TileOptions& tiles,
+                    const RunOptions& options) {
+  if (!inputs.memory_limit) return tiles;
+  const double bytes = TilePlan(pipeline, request, held(request, inputs), options).bytes(tiles);
+  if (bytes <= *inputs.memory_limit) return tiles;
+  throw UsageError("tiles of " + text(tiles.size) + " take " + bytes_text(bytes) +
+                   ", and --memory-limit allows " + bytes_text(*inputs.memory_limit) +
+                   "; give smaller ones, or --tiles auto");
+}
+
 }  // namespace
 
 TileOptions fitting_tiles(const Pipeline& pipeline, const MatchRequest& request, double held,
                           double limit, const RunOptions& options) {
-  TileOptions tiles;
-  const RunTrace trace = RunTrace::of_memory(pipeline, request, options);
-  PlanRequest plan{
-      .load = workload_of(request, options.threads > 0 ? options.threads : thread_count())};
+  const TilePlan plan(pipeline, request, held, options);
   const cv::Size whole = request.pair.size();
   for (int side = std::max(whole.width, whole.height);; side = side * 3 / 4) {
-    tiles.size = {side, side};
-    plan.load.size = {std::min(whole.width, side + 2 * tiles.halo),
-                      std::min(whole.height, side + 2 * tiles.halo)};
-    if (held + plan_run(trace, plan).peak_bytes <= limit) return tiles;
+    const TileOptions tiles = tiles_of({side, side});
+    if (plan.bytes(tiles) <= limit) return tiles;
     if (side <= kSmallestTile) break;
   }
   throw UsageError("images of " + text(whole) + " take " + bytes_text(held) +
@@ -54,15 +104,8 @@ TileOptions fitting_tiles(const Pipeline& pipeline, const MatchRequest& request,
 MatchPair in_tiles(const Pipeline& pipeline, std::optional<cv::Size> size) {
   return [&pipeline, size](const MatchRequest& request, const SceneInputs& inputs,
                            const RunOptions& options) {
-    TileOptions tiles;
-    if (size) {
-      tiles.size = *size;
-    } else {
-      const double free =
-          static_cast<double>(available_memory()) + static_cast<double>(resident_memory());
-      tiles = fitting_tiles(pipeline, request, held(request, inputs),
-                            inputs.memory_limit.value_or(free), options);
-    }
+    const TileOptions tiles = size ? checked(pipeline, request, inputs, tiles_of(*size), options)
+                                   : chosen(pipeline, request, inputs, options);
     if (options.observer != nullptr) {
       options.observer->log(LogLevel::info, {}, "matched in tiles of up to " + text(tiles.size));
     }

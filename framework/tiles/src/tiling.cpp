@@ -4,19 +4,6 @@
 namespace xgm::tiles {
 namespace {
 
-/// Where `n` parts of about the same length begin, and the end.
-std::vector<int> cuts(int length, int longest, int alignment) {
-  const int steps = (length + alignment - 1) / alignment;
-  const int steps_of_part = std::max(1, longest / alignment);
-  const int parts = (steps + steps_of_part - 1) / steps_of_part;
-  std::vector<int> places;
-  for (int k = 0; k <= parts; ++k) {
-    const auto step = static_cast<int>(std::int64_t{steps} * k / parts);
-    places.push_back(std::min(length, step * alignment));
-  }
-  return places;
-}
-
 cv::Rect grown(const cv::Rect& r, int left, int right, int rows) {
   return {r.x - left, r.y - rows, r.width + left + right, r.height + 2 * rows};
 }
@@ -29,18 +16,6 @@ cv::Rect aligned(const cv::Rect& r, int alignment) {
 }
 
 }  // namespace
-
-std::vector<cv::Rect> cores(cv::Size image, cv::Size size, int alignment) {
-  const std::vector<int> columns = cuts(image.width, size.width, alignment);
-  const std::vector<int> rows = cuts(image.height, size.height, alignment);
-  std::vector<cv::Rect> all;
-  for (std::size_t j = 0; j + 1 < rows.size(); ++j) {
-    for (std::size_t i = 0; i + 1 < columns.size(); ++i) {
-      all.emplace_back(cv::Point(columns[i], rows[j]), cv::Point(columns[i + 1], rows[j + 1]));
-    }
-  }
-  return all;
-}
 
 Surroundings surroundings(const cv::Rect& core, int halo, Interval disparities, cv::Size image,
                           int alignment) {

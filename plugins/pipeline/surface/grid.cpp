@@ -85,19 +85,6 @@ bool overlap(const SatelliteImage& base, const SatelliteImage& match) {
   return false;
 }
 
-std::vector<cv::Rect> tiles(const cv::Rect& whole, int side) {
-  const int columns = (whole.width + side - 1) / side, rows = (whole.height + side - 1) / side;
-  std::vector<cv::Rect> windows;
-  for (int k = 0; k < columns * rows; ++k) {
-    const int i = k % columns, j = k / columns;
-    const cv::Point begin(whole.x + whole.width * i / columns, whole.y + whole.height * j / rows);
-    const cv::Point end(whole.x + whole.width * (i + 1) / columns,
-                        whole.y + whole.height * (j + 1) / rows);
-    windows.emplace_back(begin, end);
-  }
-  return windows;
-}
-
 double ground_pixel(const SatelliteImage& image) {
   const cv::Point2d middle(image.size.width / 2.0, image.size.height / 2.0);
   const double height = image.camera.model().height.offset;

@@ -16,9 +16,6 @@ cv::Rect window_of(const SurfaceRequest& request, const SatelliteImage& base);
 /// both cameras were made for.
 bool overlap(const SatelliteImage& base, const SatelliteImage& match);
 
-/// Windows of about the same size, none larger than `side`, that cover `whole`.
-std::vector<cv::Rect> tiles(const cv::Rect& whole, int side);
-
 /// Length of a pixel on the ground, m, in steps of 5 cm.
 double ground_pixel(const SatelliteImage& image);
 

@@ -8,6 +8,7 @@
 #include "plugins/pipeline/surface/layers.hpp"
 #include "plugins/pipeline/surface/possible.hpp"
 #include "plugins/pipeline/surface/reasons.hpp"
+#include "xgm/data/image_parts.hpp"
 #include "xgm/geo/image/resample.hpp"
 #include "xgm/geo/stage/pointing.hpp"
 #include "xgm/geo/stage/range_prior.hpp"
@@ -122,14 +123,15 @@ class SurfacePipeline final : public SurfaceFamily {
     const Context here = context.scope(pair.base.name + "_" + pair.match.name);
     const GreyScale base_scale = find_grey_scale(pair.base),
                     match_scale = find_grey_scale(pair.match);
-    const std::vector<cv::Rect> windows = tiles(window_of(request, pair.base), p_.tile);
+    const cv::Rect whole = window_of(request, pair.base);
+    const std::vector<cv::Rect> windows = image_parts(whole.size(), {p_.tile, p_.tile});
     PointCloud cloud;
     cloud.base = pair.base.name;
     cloud.match = pair.match.name;
     for (std::size_t i = 0; i < windows.size(); ++i) {
       const double n = static_cast<double>(windows.size());
       const Context tile = here.part(static_cast<double>(i) / n, static_cast<double>(i + 1) / n);
-      match_window(request, pair, windows[i], base_scale, match_scale,
+      match_window(request, pair, windows[i] + whole.tl(), base_scale, match_scale,
                    windows.size() > 1 ? tile.scope("tile_" + std::to_string(i + 1)) : tile, cloud);
     }
     return cloud;

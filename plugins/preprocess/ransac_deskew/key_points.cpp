@@ -9,13 +9,14 @@
 
 #include "plugins/preprocess/ransac_deskew/descriptors.hpp"
 #include "xgm/base/parallel.hpp"
+#include "xgm/data/image_parts.hpp"
 
 namespace xgm::ransac_deskew {
 namespace {
 
 // SIFT keeps some sixty floats per pixel. Tiles bound that for images of any size, and spread the
 // key points over the image, which a linear model needs more than the very best ones.
-constexpr int kTile = 1024;
+const cv::Size kTile(1024, 1024);
 constexpr int kTileMargin = 32;     // so that key points near a tile's border are not lost
 constexpr int kSmallest = 16;       // pixels; nothing to find in less
 constexpr double kContrast = 0.01;  // below SIFT's 0.04: dark images have key points, too, and the
@@ -75,23 +76,9 @@ KeyPoints detect_in_tile(const PairWindows& pair, bool of_match, const cv::Rect&
   return found;
 }
 
-/// The same tiles for every view of this size.
-std::vector<cv::Rect> tiles_of(cv::Size size) {
-  std::vector<cv::Rect> tiles;
-  const int columns = (size.width + kTile - 1) / kTile, rows = (size.height + kTile - 1) / kTile;
-  for (int row = 0; row < rows; ++row) {
-    for (int column = 0; column < columns; ++column) {
-      const cv::Point from(size.width * column / columns, size.height * row / rows);
-      const cv::Point to(size.width * (column + 1) / columns, size.height * (row + 1) / rows);
-      tiles.emplace_back(from, to);
-    }
-  }
-  return tiles;
-}
-
 /// Key points of both views, tile by tile.
 std::array<KeyPoints, 2> detect(const PairWindows& pair, int count) {
-  const std::vector<cv::Rect> tiles = tiles_of(pair.size());
+  const std::vector<cv::Rect> tiles = image_parts(pair.size(), kTile);
   const int each = static_cast<int>(tiles.size());
   std::vector<KeyPoints> parts(2 * tiles.size());
   const ThreadLimit memory_limit(std::min(thread_count(), kTilesAtOnce));
@@ -125,7 +112,7 @@ double key_point_bytes(cv::Size size, int threads) {
   // which leave holes in the heap.
   constexpr double kSiftBytesPerPixel = 255;
   constexpr double kViewBytesPerPixel = 2;  // grey levels and mask
-  const std::vector<cv::Rect> tiles = tiles_of(size);
+  const std::vector<cv::Rect> tiles = image_parts(size, kTile);
   double largest = 0;
   for (const cv::Rect& tile : tiles) {
     largest = std::max(largest, double(with_margin(tile, kTileMargin, size).area()));

@@ -6,6 +6,7 @@
 #include "xgm/base/memory.hpp"
 #include "xgm/data/crop.hpp"
 #include "xgm/pipeline/lookup.hpp"
+#include "xgm/plugin.hpp"
 #include "xgm/synthesis/plain_scene.hpp"
 #include "xgm/tiles/in_tiles.hpp"
 
@@ -51,6 +52,21 @@ MatchRequest request_of(const synthesis::GeneratedScene& scene) {
   return {scene.pair, DisparityRange::uniform(scene.pair.size(), {-6, 34}), std::nullopt};
 }
 
+/// Does the same to a part as to the whole, and says nothing of that.
+class Darker final : public Preprocess {
+ public:
+  struct Parameters {};
+  static void describe(Parameters&, ParameterSet&) {}
+  explicit Darker(Parameters) {}
+  ImagePair run(const ImagePair& pair, const Context&) const override {
+    ImagePair darker = pair;
+    for (Image* image : {&darker.base, &darker.match}) {
+      for (cv::Mat1f& plane : image->planes) plane = cv::Mat1f(plane * 0.5);
+    }
+    return darker;
+  }
+};
+
 class Told final : public Observer {
  public:
   void stage_begin(const StagePlace& place) override { ++begun[place.path]; }
@@ -95,6 +111,27 @@ TEST_CASE("one tile that is the whole image gives the bytes of the whole") {
   const Pipeline pyramid = require_pipeline("tsgm8", builtins());
   const DisparityMap map = in_tiles_of(pyramid, request, {.size = {400, 400}});
   CHECK(different(map, pyramid.run(request).forward) < 1e-3);
+}
+
+TEST_CASE("stages that need no whole image prepare each tile by itself") {
+  Registry registry = Registry::with_builtins();
+  registry.add<Darker>("darker", "For this test.");
+  const auto loaded = load_pipeline_text(
+      "preprocess: [darker]\nmatcher: {type: semi_global, cost: absolute_difference, penalty: "
+      "{type: constant, p1: 8, p2: 32}, aggregation: sgm}\n",
+      "test.yaml", registry);
+  REQUIRE(loaded.pipeline);
+  const MatchRequest request = request_of(generated());
+  const DisparityMap whole = loaded.pipeline->run(request).forward;
+  CHECK(different(in_tiles_of(*loaded.pipeline, request, {.size = {128, 96}, .halo = 64}), whole) <=
+        0.003);
+  // Light counts: without the stage the map is another one.
+  const Pipeline plain = *load_pipeline_text(
+                              "matcher: {type: semi_global, cost: absolute_difference, penalty: "
+                              "{type: constant, p1: 8, p2: 32}, aggregation: sgm}\n",
+                              "test.yaml", registry)
+                              .pipeline;
+  CHECK(different(plain.run(request).forward, whole) > 0.003);
 }
 
 TEST_CASE("maps in tiles do not depend on the threads, and masked pixels have no disparity") {

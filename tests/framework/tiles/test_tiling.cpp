@@ -2,31 +2,11 @@
 #include <doctest/doctest.h>
 
 #include "support/support.hpp"
+#include "xgm/data/image_parts.hpp"
 #include "xgm/tiles/tiling.hpp"
 
 using namespace xgm;
 using namespace xgm::tiles;
-
-TEST_CASE("the parts of the map cover it once, none larger than asked for") {
-  for (const cv::Size image : {cv::Size(1, 1), cv::Size(7, 300), cv::Size(1000, 641)}) {
-    for (const cv::Size size : {cv::Size(64, 64), cv::Size(100, 333), cv::Size(5000, 5000)}) {
-      for (const int alignment : {1, 8, 32}) {
-        CAPTURE(image);
-        CAPTURE(size);
-        CAPTURE(alignment);
-        cv::Mat1i covered(image, 0);
-        for (const cv::Rect& core : cores(image, size, alignment)) {
-          CHECK(core.width <= size.width);
-          CHECK(core.height <= size.height);
-          CHECK(core.x % alignment == 0);
-          CHECK(core.y % alignment == 0);
-          covered(core) += 1;
-        }
-        CHECK(cv::countNonZero(covered == 1) == image.area());
-      }
-    }
-  }
-}
 
 TEST_CASE("what a part looks at holds the partners of all that is searched, in both views") {
   xgm::testing::Random random(1);
@@ -35,7 +15,7 @@ TEST_CASE("what a part looks at holds the partners of all that is searched, in b
     const int alignment = 1 << random.integer(0, 5), halo = random.integer(0, 40);
     const int first = random.integer(-120, 100);
     const Interval disparities{first, first + random.integer(1, 90)};
-    const std::vector<cv::Rect> all = cores(image, {64, 64}, alignment);
+    const std::vector<cv::Rect> all = image_parts(image, {64, 64}, alignment);
     const cv::Rect core = all[random.next() % all.size()];
     const Surroundings around = surroundings(core, halo, disparities, image, alignment);
     const cv::Rect whole({}, image), window = around.window;

@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// How an image is cut into tiles, and what each has to look at.
+// What a tile has to look at.
 #pragma once
-
-#include <vector>
 
 #include "xgm/base/export.hpp"
 #include "xgm/data/disparity_range.hpp"
 
 namespace xgm::tiles {
 
-/// Parts of the map, which cover it once: of about the same size, none larger than `size`, row by
-/// row. Their left and upper sides are
-/// multiples of `alignment`.
-XGM_API std::vector<cv::Rect> cores(cv::Size image, cv::Size size, int alignment = 1);
-
-/// What is read and searched for the map of a core.
+/// What is read and searched for a part of the map, its core.
 struct Surroundings {
   cv::Rect searched;  ///< pixels of the base image that get a disparity
   cv::Rect
