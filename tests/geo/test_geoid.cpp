@@ -7,6 +7,7 @@
 
 #include "geo/satellite_desk.hpp"
 #include "support/support.hpp"
+#include "xgm/geo/evaluation/surface_errors.hpp"
 #include "xgm/geo/ground/dem.hpp"
 #include "xgm/io/file.hpp"
 
@@ -16,12 +17,13 @@ using xgm::testing::contains;
 using xgm::testing::Outcome;
 using xgm::testing::SatelliteDesk;
 
+// The name alone is egm96.
 TEST_CASE("--geoid: heights are less by the geoid's, and the files say what they are above") {
   const SatelliteDesk desk;
   const std::string run =
       "run dsm_tsgm8 --images scene/image_1.tif scene/image_2.tif --dem scene/dem.tif ";
   REQUIRE(desk.call(run + "--output plain").exit_code == 0);
-  const Outcome outcome = desk.call(run + "--geoid egm96 --output geoid");
+  const Outcome outcome = desk.call(run + "--output geoid --geoid");
   CAPTURE(outcome.errors);
   REQUIRE(outcome.exit_code == 0);
   const Raster plain = read_raster(desk / "plain/dsm.tif");
@@ -51,6 +53,18 @@ TEST_CASE("--geoid: heights are less by the geoid's, and the files say what they
   CHECK(plain.metadata.at("vertical_datum") == "WGS 84 ellipsoid");
   const auto record = nlohmann::json::parse(read_file(desk / "geoid/run.json"));
   CHECK(record["grid"]["heights_above"] == "EGM96 height");
+  // Compared with each other, both are the same ground again, and the comparison says how.
+  double apart = 0;
+  const cv::Mat1f brought = on_grid_of(above, plain);
+  for (int y = 0; y < plain.values.rows; ++y) {
+    for (int x = 0; x < plain.values.cols; ++x) {
+      if (std::isnan(brought(y, x)) || std::isnan(plain.values(y, x))) continue;
+      apart = std::max(apart, std::abs(double{brought(y, x)} - double{plain.values(y, x)}));
+    }
+  }
+  CHECK(apart < 1e-3);
+  CHECK(contains(comparison_text(above, plain),
+                 "its heights (EGM96 height) become the truth's (WGS 84 ellipsoid)"));
   // As a DEM, both are the same ground again.
   const auto a = read_dem(desk / "plain/dsm.tif"), b = read_dem(desk / "geoid/dsm.tif");
   CHECK(std::abs(a->bounds().max - b->bounds().max) < 1e-3);

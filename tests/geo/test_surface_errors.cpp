@@ -2,11 +2,13 @@
 #include <cmath>
 
 #include "support/support.hpp"
+#include "support/temporary_folder.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/geo/evaluation/surface_errors.hpp"
 
 using namespace xgm;
 using namespace xgm::geo;
+using xgm::testing::contains;
 using xgm::testing::test_data;
 
 TEST_CASE("shares are of the truth's cells, errors of the cells that have both") {
@@ -41,8 +43,12 @@ TEST_CASE("a surface is brought onto the truth's grid: place, CRS and datum") {
   // The geoid lies above the ellipsoid here, so heights above it are smaller.
   CHECK(on_grid_of(surface, above_geoid)(3, 4) ==
         doctest::Approx(13.75 + 1300 - 2.264).epsilon(1e-3));
+  CHECK(contains(comparison_text(surface, truth), "surface WGS 84 ellipsoid, truth not said"));
+  CHECK(contains(comparison_text(surface, surface), "heights of both: WGS 84 ellipsoid"));
   truth.crs.clear();
   CHECK_THROWS_AS(on_grid_of(surface, truth), UsageError);
+  CHECK_THROWS_AS(comparison_text(surface, truth), UsageError);
+  CHECK(contains(comparison_text(truth, truth), "cell by cell"));
 }
 
 TEST_CASE("LiDAR and two surfaces of another program: its figures to the last digit given") {

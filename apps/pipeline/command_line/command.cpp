@@ -29,6 +29,9 @@ Option Option::one_of(const std::vector<int>& values) {
 }
 
 Option Option::count(int min, int max) { return Option(option_->expected(min, max)); }
+Option Option::value_of_name_alone(const std::string& value) {
+  return Option(option_->expected(0, 1)->default_str(value));
+}
 Option Option::one_value_each() { return Option(option_->allow_extra_args(false)); }
 Option Option::comma_separated() {
   const auto trim = [](std::string item) { return CLI::detail::trim(item); };

@@ -34,6 +34,8 @@ class Option {
 
   /// Takes so many values in a row.
   Option count(int min, int max);
+  /// May be given by its name alone, and has this value then.
+  Option value_of_name_alone(const std::string& value);
   /// Of one value; the option may be given again.
   Option one_value_each();
   Option comma_separated();

@@ -64,8 +64,9 @@ int eval_surface(const EvalOptions& asked) {
     geo::remove_filled(surface, geo::read_raster(options.source));
     std::cout << lines(", measured", geo::on_grid_of(surface, truth), truth.values);
   }
-  std::cout << fmt::format("{} cells have a true height; |dz| is the median\n",
-                           geo::compare_surfaces(heights, truth.values).truth_cells);
+  std::cout << fmt::format("{} cells have a true height; |dz| is the median. {}\n",
+                           geo::compare_surfaces(heights, truth.values).truth_cells,
+                           geo::comparison_text(surface, truth));
   return kOk;
 }
 #else

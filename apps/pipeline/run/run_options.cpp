@@ -71,7 +71,8 @@ void add_satellites(Command command, RunCommandOptions& options) {
       .option("--geoid", options.geoid,
               "Heights of the surface are above this geoid: egm96, or another one whose grid PROJ "
               "has; without it above the ellipsoid")
-      .type_name("NAME");
+      .type_name("NAME")
+      .value_of_name_alone("egm96");
   command
       .option("--clouds", options.satellite_clouds,
               "In place of images: clouds of earlier runs (DIR/cloud.ply), which are made a "

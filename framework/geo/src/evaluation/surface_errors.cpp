@@ -44,6 +44,24 @@ float at(const cv::Mat1f& values, cv::Point2d cell) {
   return static_cast<float>(sum);
 }
 
+/// What the coordinates and heights of the two are of.
+struct Systems {
+  Crs surface, truth;
+  bool with_datum() const { return has_heights(surface) && has_heights(truth); }
+};
+
+/// Empty if neither has a georeference.
+std::optional<Systems> systems_of(const Raster& surface, const Raster& truth) {
+  if (surface.crs.empty() && truth.crs.empty()) return std::nullopt;
+  if (surface.crs.empty() || truth.crs.empty()) {
+    throw UsageError(
+        "only one of the surface and the truth has a georeference; give both one, or "
+        "compare them cell by cell without");
+  }
+  return Systems{crs_with_heights(surface.crs, surface.metadata),
+                 crs_with_heights(truth.crs, truth.metadata)};
+}
+
 }  // namespace
 
 SurfaceErrors compare_surfaces(const cv::Mat1f& surface, const cv::Mat1f& truth, double threshold) {
@@ -99,17 +117,11 @@ Json to_json(const SurfaceErrors& errors) {
 }
 
 cv::Mat1f on_grid_of(const Raster& surface, const Raster& truth) {
-  if (surface.crs.empty() && truth.crs.empty()) return surface.values;
-  if (surface.crs.empty() != truth.crs.empty()) {
-    throw UsageError(
-        "only one of the surface and the truth has a georeference; give both one, or "
-        "compare them cell by cell without");
-  }
-  const Crs from = crs_with_heights(truth.crs, truth.metadata);
-  const Crs to = crs_with_heights(surface.crs, surface.metadata);
-  const bool with_datum = has_heights(from) && has_heights(to);
-  const CrsTransform to_surface(with_datum ? from : horizontal(from),
-                                with_datum ? to : horizontal(to));
+  const std::optional<Systems> systems = systems_of(surface, truth);
+  if (!systems) return surface.values;
+  const bool with_datum = systems->with_datum();
+  const CrsTransform to_surface(with_datum ? systems->truth : horizontal(systems->truth),
+                                with_datum ? systems->surface : horizontal(systems->surface));
   cv::Mat1f values(truth.values.size(), kNone);
   parallel_for(0, values.rows, [&](int row) {
     for (int column = 0; column < values.cols; ++column) {
@@ -124,6 +136,24 @@ cv::Mat1f on_grid_of(const Raster& surface, const Raster& truth) {
     }
   });
   return values;
+}
+
+std::string comparison_text(const Raster& surface, const Raster& truth) {
+  const std::optional<Systems> systems = systems_of(surface, truth);
+  if (!systems) return "Neither has a georeference: compared cell by cell.";
+  const std::string place = "The surface is resampled bilinearly to the truth's cells (" +
+                            crs_name(horizontal(systems->truth)) + "); ";
+  if (systems->with_datum()) {
+    const std::string from = heights_name(systems->surface), to = heights_name(systems->truth);
+    return place + (from == to ? "heights of both: " + to + "."
+                               : "its heights (" + from + ") become the truth's (" + to + ").");
+  }
+  const auto said = [](const Crs& crs) {
+    return has_heights(crs) ? heights_name(crs) : std::string("not said");
+  };
+  return place +
+         "heights are compared as they are, because what they are above is not known of both: " +
+         "surface " + said(systems->surface) + ", truth " + said(systems->truth) + ".";
 }
 
 }  // namespace xgm::geo

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "xgm/base/json.hpp"
 #include "xgm/geo/ground/raster.hpp"
@@ -33,6 +34,10 @@ XGM_API void remove_filled(Raster& surface, const Raster& source);
 /// at the centres of the truth's cells, its heights taken from its datum to the truth's if both say
 /// theirs. Throws UsageError if only one of the two has a georeference.
 XGM_API cv::Mat1f on_grid_of(const Raster& surface, const Raster& truth);
+
+/// How on_grid_of() brings the two together, a sentence: cell by cell, or by what it resamples and
+/// whether heights change their datum. Throws Error as on_grid_of() does.
+XGM_API std::string comparison_text(const Raster& surface, const Raster& truth);
 
 /// For records; figures that are not known are null.
 XGM_API Json to_json(const SurfaceErrors& errors);
