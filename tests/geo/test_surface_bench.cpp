@@ -140,7 +140,7 @@ TEST_CASE("a scene file that names nothing good is refused, with the place and t
   CHECK(contains(refused("images: [a.tif"), "scene.yaml:"));
   CHECK(contains(refused("truth: a.tif\nimages: [a.tif]"), "'images' needs at least two files"));
   CHECK(contains(refused("images: [a.tif, b.tif]"), "'truth' is missing"));
-  CHECK(contains(refused("images:\n- a.tif\n- c.tif"), "scene.yaml:3: "));
+  CHECK(contains(refused("images:\n- a.tif\n- c.tif"), "scene.yaml:3:3: "));
   CHECK(contains(refused("images: [a.tif, b.tif]\ntruth: b.tif\nvisible: [a.tif]"),
                  "one file for each"));
   const TemporaryFolder none;
