@@ -7,6 +7,7 @@
 
 #include "ground/gdal.hpp"
 #include "support/temporary_folder.hpp"
+#include "xgm/geo/ground/raster.hpp"
 #include "xgm/geo/image/satellite_image.hpp"
 
 using namespace xgm;
@@ -73,4 +74,39 @@ TEST_CASE("grey levels of 8 and 16 bit, of floats, of one band or the mean of al
       }
     }
   }
+}
+
+TEST_CASE("a reduced image has the means of its pixels, of those that may be used") {
+  const TemporaryFolder folder;
+  SatelliteImage image = image_of(folder / "i.tif", GDT_UInt16, 1);
+  cv::Mat1f used(image.size, 1.0F);
+  used(cv::Rect(0, 0, 4, 2)).setTo(0);  // half a pixel
+  used(cv::Rect(4, 0, 4, 3)).setTo(0);  // more
+  write_raster(folder / "mask.tif", {used, {}, {}, {}});
+  image.mask = folder / "mask.tif";
+  const SatelliteImage small = reduced(image, 4);
+  REQUIRE(small.size == cv::Size(15, 12));  // two rows make up no pixel
+  const cv::Mat1f whole = read_window(image, {0, 0, 60, 50});
+  const cv::Mat1f window = read_window(small, {-1, 0, 17, 13});
+  for (int y = 0; y < window.rows; ++y) {
+    for (int x = 0; x < window.cols; ++x) {
+      CAPTURE(x);
+      CAPTURE(y);
+      const cv::Point first(4 * (x - 1), 4 * y);
+      double sum = 0;
+      int count = 0;
+      for (int k = 0; k < 16; ++k) {
+        const cv::Point p = first + cv::Point(k % 4, k / 4);
+        const bool is_there = x > 0 && x <= 15 && y < 12 && !std::isnan(whole(p));
+        sum += is_there ? double{whole(p)} : 0;
+        count += is_there ? 1 : 0;
+      }
+      CHECK(std::isnan(window(y, x)) == (count < 8));
+      if (count >= 8) CHECK(window(y, x) == doctest::Approx(sum / count).epsilon(1e-6));
+    }
+  }
+  CHECK(std::isnan(window(0, 2)));
+  CHECK_FALSE(std::isnan(window(0, 1)));
+  const cv::Mat1f twice = read_window(reduced(reduced(image, 2), 2), {-1, 0, 17, 13});
+  CHECK(cv::countNonZero(twice == window) == cv::countNonZero(window == window));
 }

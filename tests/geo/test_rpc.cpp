@@ -140,3 +140,11 @@ TEST_CASE(
   CHECK(angles->incidence == doctest::Approx(38).epsilon(0.1));
   CHECK(angles->azimuth == doctest::Approx(280).epsilon(0.1));
 }
+
+TEST_CASE("a reduced image's camera sees the same points in pixels that are larger") {
+  const RpcCamera camera(small_model());
+  const GeoPoint point = *camera.localize({41.5, 81.5}, 1200);  // the middle of 4 x 4 pixels
+  CHECK(cv::norm(camera.reduced(4).project(point) - cv::Point2d(10, 20)) < 1e-6);
+  const cv::Point2d edge = camera.reduced(4).project(*camera.localize({-0.5, -0.5}, 1300));
+  CHECK(cv::norm(edge - cv::Point2d(-0.5, -0.5)) < 1e-6);
+}

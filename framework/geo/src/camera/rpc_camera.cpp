@@ -35,6 +35,10 @@ HeightInterval RpcCamera::heights() const {
   return {model_.height.value(-1), model_.height.value(1)};
 }
 
+HeightInterval RpcCamera::reach() const {
+  return {model_.height.value(-1 - kSlack), model_.height.value(1 + kSlack)};
+}
+
 bool RpcCamera::covers(const GeoPoint& point, double slack) const {
   const auto within = [&](const RpcAxis& axis, double value) {
     return std::abs(axis.normalised(value)) <= 1 + slack;  // false for NaN
@@ -118,6 +122,16 @@ RpcCamera RpcCamera::cropped(cv::Point2d origin) const {
   RpcModel model = model_;
   model.column.offset -= origin.x;
   model.row.offset -= origin.y;
+  return RpcCamera(model);
+}
+
+RpcCamera RpcCamera::reduced(int by) const {
+  RpcModel model = model_;
+  for (RpcAxis* axis : {&model.column, &model.row}) {
+    // Edges of pixels lie half a pixel before their centres, in both images.
+    axis->offset = (axis->offset + 0.5) / by - 0.5;
+    axis->scale /= by;
+  }
   return RpcCamera(model);
 }
 

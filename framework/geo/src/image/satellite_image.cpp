@@ -3,6 +3,7 @@
 
 #include <gdal_priv.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -57,17 +58,67 @@ cv::Mat1f read_grey(GDALDataset& dataset, int band, const cv::Rect& window,
   return sum;
 }
 
-void apply_mask(const SatelliteImage& image, const cv::Rect& window, cv::Mat1f& grey) {
+cv::Size size_of(GDALDataset& dataset) {
+  return {dataset.GetRasterXSize(), dataset.GetRasterYSize()};
+}
+
+void apply_mask(const SatelliteImage& image, cv::Size of_image, const cv::Rect& window,
+                cv::Mat1f& grey) {
   if (image.mask.empty()) return;
   const DatasetPtr mask = open_raster(image.mask);
-  if (mask->GetRasterXSize() != image.size.width || mask->GetRasterYSize() != image.size.height) {
+  if (size_of(*mask) != of_image) {
     throw Error(image.mask + ": the mask is not of the size of " + image.file);
   }
   const cv::Mat1f used = read_band(*mask->GetRasterBand(1), window, image.mask);
   grey.setTo(kNone, used == 0);
 }
 
+/// Of pixels of the file, NaN where it may not be used.
+cv::Mat1f read_of_file(GDALDataset& dataset, const SatelliteImage& image, const cv::Rect& window) {
+  cv::Mat1f grey = read_grey(dataset, image.band, window, image.file);
+  apply_mask(image, size_of(dataset), window, grey);
+  return grey;
+}
+
+/// The mean of a block; NaN if more than half of it is.
+float mean_of(const cv::Mat1f& block) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (const float grey : block) {
+    if (std::isnan(grey)) continue;
+    sum += double{grey};
+    ++count;
+  }
+  return 2 * count < block.total() ? kNone : static_cast<float>(sum / static_cast<double>(count));
+}
+
+/// Some rows at a time: a window of a reduced image is a large one of the file.
+cv::Mat1f read_reduced(GDALDataset& dataset, const SatelliteImage& image, const cv::Rect& window) {
+  constexpr int kRows = 32;
+  const int by = image.reduction;
+  cv::Mat1f grey(window.size());
+  for (int y = 0; y < window.height; y += kRows) {
+    const int rows = std::min(kRows, window.height - y);
+    const cv::Mat1f part = read_of_file(
+        dataset, image, {window.x * by, (window.y + y) * by, window.width * by, rows * by});
+    for (int row = 0; row < rows; ++row) {
+      for (int x = 0; x < window.width; ++x) {
+        grey(y + row, x) = mean_of(part(cv::Rect(x * by, row * by, by, by)));
+      }
+    }
+  }
+  return grey;
+}
+
 }  // namespace
+
+SatelliteImage reduced(const SatelliteImage& image, int by) {
+  SatelliteImage small = image;
+  small.size = {image.size.width / by, image.size.height / by};
+  small.reduction = image.reduction * by;
+  small.camera = image.camera.reduced(by);
+  return small;
+}
 
 SatelliteImage open_image(const std::string& file, const std::string& camera_file) {
   const DatasetPtr dataset = open_raster(file);
@@ -85,7 +136,7 @@ SatelliteImage open_image(const std::string& file, const std::string& camera_fil
           .file = file,
           .band = dataset->GetRasterCount() == 1 ? 1 : 0,
           .mask = {},
-          .size = {dataset->GetRasterXSize(), dataset->GetRasterYSize()},
+          .size = size_of(*dataset),
           .bands = dataset->GetRasterCount(),
           .camera = RpcCamera(models.front()).cropped(origin),
           .acquisition = find_acquisition(file, camera_file)};
@@ -97,8 +148,8 @@ cv::Mat1f read_window(const SatelliteImage& image, cv::Rect window) {
   const cv::Rect inside = window & cv::Rect({}, image.size);
   if (inside.empty()) return grey;
   const DatasetPtr dataset = open_raster(image.file);
-  cv::Mat1f part = read_grey(*dataset, image.band, inside, image.file);
-  apply_mask(image, inside, part);
+  const cv::Mat1f part = image.reduction > 1 ? read_reduced(*dataset, image, inside)
+                                             : read_of_file(*dataset, image, inside);
   part.copyTo(grey(inside - window.tl()));
   return grey;
 }

@@ -35,6 +35,8 @@ class XGM_API RpcCamera {
   const RpcModel& model() const { return model_; }
   /// The heights that the model was made for.
   HeightInterval heights() const;
+  /// The heights of which localize() finds points, which is more.
+  HeightInterval reach() const;
   /// Whether the model was made for this point: it lies within its scales, and `slack` of them.
   bool covers(const GeoPoint& point, double slack = 0.1) const;
 
@@ -60,6 +62,8 @@ class XGM_API RpcCamera {
 
   /// The camera of an image whose pixel (0, 0) is this one's pixel `origin`.
   RpcCamera cropped(cv::Point2d origin) const;
+  /// The camera of an image each of whose pixels is `by` x `by` of this one's.
+  RpcCamera reduced(int by) const;
 
  private:
   RpcModel model_;
