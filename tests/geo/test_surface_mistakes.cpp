@@ -189,6 +189,53 @@ TEST_CASE("a scene in YAML: all mistakes at once, each with its place") {
   check_refused(desk, "", {"--images"});
 }
 
+TEST_CASE("options of pairs of images, which are never ignored in silence") {
+  const SatelliteDesk desk;
+  desk.write("mask.png", "no image");
+  for (const std::string option :
+       {"--disparities 0:9", "--range-maps a.pfm,b.pfm", "--depth d.tiff", "--cloud c.ply",
+        "--report", "--dump '*'", "--explain 3,4", "--explain every=9", "--tiles auto",
+        "--memory-limit 1GB", "--nodata 0", "--left-mask mask.png", "--right-mask mask.png",
+        "--truth mask.png --truth-divisor 2", "--truth mask.png --truth-nodata 0",
+        "--truth mask.png --truth-mask mask.png"}) {
+    const std::size_t name = option.rfind("--");
+    check_refused(desk, kPair + option,
+                  {option.substr(name, option.find(' ', name) - name) + ": is for pairs of images",
+                   "makes surfaces; "});
+  }
+  for (const std::string option : {"--scene one", "--dataset kitti"}) {
+    check_refused(desk, "scene/scene.yaml " + option, {"is for pairs of images"});
+  }
+}
+
+TEST_CASE("commands for one pair refuse pipelines that make surfaces, before any work") {
+  const SatelliteDesk desk;
+  for (const auto& [arguments, remedy] :
+       {std::pair<std::string, std::string>{"plan dsm_tsgm8", "'matching'"},
+        {"plan dsm_tsgm8 --size 100x100 --disparities 0:9", "'matching'"},
+        {"speed tsgm8,dsm_tsgm8", "'matching'"},
+        {"explain dsm_tsgm8 3 4", "reasons.tif"}}) {
+    CAPTURE(arguments);
+    const Outcome outcome = desk.call(arguments);
+    CAPTURE(outcome.errors);
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.output.empty());
+    CHECK(std::ranges::count(outcome.errors, '\n') == 1);
+    CHECK(contains(outcome.errors, "dsm_tsgm8.yaml: makes surfaces of satellite images"));
+    CHECK(contains(outcome.errors, remedy));
+  }
+  for (const std::string option : {"--dataset kitti", "--submit kitti", "--thresholds 1",
+                                   "--scale 4", "--clip", "--region all", "--memory-limit 1GB"}) {
+    CAPTURE(option);
+    const Outcome outcome =
+        desk.call("bench --pipelines dsm_tsgm8 --data scene --output out " + option);
+    CAPTURE(outcome.errors);
+    CHECK(outcome.exit_code == 2);
+    CHECK(contains(outcome.errors, option.substr(0, option.find(' ')) + ": is for pairs"));
+    CHECK_FALSE(fs::exists(desk / "out"));
+  }
+}
+
 TEST_CASE("a run that is killed leaves no part of a file, and the next one works") {
   const SatelliteDesk desk;
   const std::string run = "run dsm_tsgm8 " + kPair + "--dem scene/dem.tif --output out";

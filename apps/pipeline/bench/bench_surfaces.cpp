@@ -11,6 +11,7 @@
 #include "bench/bench_run.hpp"
 #include "command_line/command_line.hpp"
 #include "options/scene_request.hpp"
+#include "options/surfaces.hpp"
 #include "xgm/base/parallel.hpp"
 #include "xgm/base/suggest.hpp"
 #include "xgm/geo/bench/surface_bench.hpp"
@@ -28,17 +29,16 @@ namespace {
 namespace fs = std::filesystem;
 
 void refuse_stereo_options(const BenchOptions& options) {
-  const std::pair<const char*, bool> given[] = {{"--dataset", !options.dataset.empty()},
-                                                {"--submit", !options.submit.empty()},
-                                                {"--thresholds", !options.thresholds.empty()},
-                                                {"--scale", options.scale != "1"},
-                                                {"--clip", options.rules.clip},
-                                                {"--region", !options.rules.region.empty()}};
-  for (const auto& [name, is_given] : given) {
-    if (is_given)
-      throw UsageError(std::string(name) +
-                       ": is for maps of disparities; these pipelines make surfaces");
-  }
+  refuse_for_surfaces({
+      {"--dataset", !options.dataset.empty(), "their scenes have a scene.yaml"},
+      {"--submit", !options.submit.empty(), "no benchmark takes them"},
+      {"--thresholds", !options.thresholds.empty(), "heights are judged within 1 m"},
+      {"--scale", options.scale != "1", "heights are judged in m"},
+      {"--clip", options.rules.clip, "heights are judged as they are"},
+      {"--region", !options.rules.region.empty(), "what all images see is judged"},
+      {"--memory-limit", !options.memory_limit.empty(),
+       "smaller windows take less memory: --set tile=1000"},
+  });
 }
 
 std::vector<geo::SurfaceScene> find_scenes(const BenchOptions& options) {

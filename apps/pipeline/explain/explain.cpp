@@ -8,6 +8,7 @@
 #include "options/output_files.hpp"
 #include "options/pixels.hpp"
 #include "options/scene_request.hpp"
+#include "options/surfaces.hpp"
 #include "terminal/console.hpp"
 #include "terminal/observer.hpp"
 #include "xgm/base/error.hpp"
@@ -72,6 +73,8 @@ int explain(Options options) {
   const auto pipeline =
       load_named(options.pipeline, registry, parse_overrides(options.assignments));
   if (!pipeline) return kUsage;
+  require_pair_pipeline(*pipeline, "explain",
+                        "reasons.tif of 'pipeline run' says why cells are empty");
   return explain_checked(options, *pipeline, registry, pixels);
 }
 

@@ -10,6 +10,7 @@
 
 #include "commands.hpp"
 #include "options/scene_request.hpp"
+#include "options/surfaces.hpp"
 #include "options/values.hpp"
 #include "terminal/console.hpp"
 #include "terminal/observer.hpp"
@@ -164,6 +165,7 @@ int plan(const Options& options) {
   const auto named = load_named(options.pipeline, registry, parse_overrides(options.assignments));
   if (!named) return kUsage;
   const Pipeline& pipeline = *named;
+  require_pair_pipeline(pipeline, "plan", "plan the one that it names as 'matching'");
   const int threads = use_threads(options.threads);
   Progress progress;
   progress.begin("measuring the speed of this machine");

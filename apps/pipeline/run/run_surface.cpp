@@ -2,7 +2,6 @@
 #include "run/run_surface.hpp"
 
 #include "options/scene_request.hpp"
-#include "options/surfaces.hpp"
 #include "xgm/base/error.hpp"
 
 #ifdef XGM_HAS_GEO
@@ -105,42 +104,5 @@ int run_surface(const Pipeline&, const Registry&, const RunCommandOptions&,
   throw UsageError("this program was built without GDAL and PROJ");
 }
 #endif
-
-bool is_surface(const Pipeline& pipeline, const RunCommandOptions& options) {
-  const bool surface = makes_surfaces(pipeline);
-  const bool has_inputs = !options.satellite_images.empty() || !options.satellite_clouds.empty() ||
-                          !options.scene.empty();
-  if (surface && !has_inputs) {
-    throw UsageError(pipeline.file() +
-                     ": makes surfaces of satellite images; give --images FILE FILE ..., a scene "
-                     "in YAML, or --clouds FILE.ply ...");
-  }
-  if (surface && !options.images.left.empty()) {
-    throw UsageError(pipeline.file() +
-                     ": makes surfaces of satellite images; give them as --images, not as --left "
-                     "and --right");
-  }
-  if (surface && !options.cloud.empty()) {
-    throw UsageError(
-        "--cloud is for stereo pairs: a surface's points are always in DIR/cloud.ply; --clouds "
-        "FILE.ply ... makes a surface of them again");
-  }
-  if (surface && !options.tiles.empty()) {
-    throw UsageError(
-        "--tiles is for stereo pairs: satellite images are matched in windows anyway, whose size "
-        "is --set tile=1000");
-  }
-  const bool for_surfaces = !options.satellite_images.empty() ||
-                            !options.satellite_clouds.empty() || !options.satellite_masks.empty() ||
-                            !options.satellite_cameras.empty() || !options.dem.empty() ||
-                            !options.area.empty() || options.band != 0 || !options.geoid.empty();
-  if (!surface && for_surfaces) {
-    throw UsageError(pipeline.file() +
-                     ": matches one pair of images; --images, --clouds, --masks, --cameras, --dem, "
-                     "--area, --band and --geoid are for pipelines of type surface, such as "
-                     "dsm_tmgm16");
-  }
-  return surface;
-}
 
 }  // namespace xgm::cli

@@ -8,6 +8,7 @@
 #include "commands.hpp"
 #include "options/output_files.hpp"
 #include "options/scene_request.hpp"
+#include "options/surfaces.hpp"
 #include "options/values.hpp"
 #include "terminal/observer.hpp"
 #include "xgm/base/simd.hpp"
@@ -55,6 +56,8 @@ std::vector<SpeedPipeline> load_pipelines(const Options& options, const Registry
     const auto pipeline = load_named(name, registry, parse_overrides(options.assignments));
     sound = sound && pipeline;
     if (pipeline) {
+      require_pair_pipeline(*pipeline, "speed",
+                            "time the one that it names as 'matching', or see 'pipeline bench'");
       pipelines.push_back({std::filesystem::path(pipeline->file()).stem().string(), *pipeline});
     }
   }
