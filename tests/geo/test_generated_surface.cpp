@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geo/generated.hpp"
+#include "geo/search.hpp"
 #include "support/support.hpp"
 #include "support/temporary_folder.hpp"
 #include "xgm/geo/evaluation/surface_errors.hpp"
@@ -17,7 +18,10 @@
 using namespace xgm;
 using namespace xgm::geo;
 using xgm::testing::image_of;
+using xgm::testing::search_volume;
+using xgm::testing::searched_per_pixel;
 using xgm::testing::TemporaryFolder;
+using xgm::testing::truth_searched;
 
 namespace {
 
@@ -53,14 +57,6 @@ SatelliteSceneSpec mountains_and_flats() {
   return spec;
 }
 
-double search_volume(const DisparityRange& range) {
-  double cells = 0;
-  for (int y = 0; y < range.size().height; ++y) {
-    for (int x = 0; x < range.size().width; ++x) cells += range.at(y, x).size();
-  }
-  return cells;
-}
-
 struct Prior {
   RectifiedPair pair;
   DisparityRange range;
@@ -76,25 +72,7 @@ Prior run_prior(const std::string& name, const SatelliteImage& base, const Satel
   pair.heights = prior->heights(base, match, window, &dem, Context());
   pair.geometry =
       make_stage<Rectifier>("affine", registry)->run(base, match, window, pair.heights, Context());
-  return {pair, prior->run(pair, &dem, Context())};
-}
-
-/// Share of the base image's pixels whose true disparity is searched.
-double searched(const Prior& prior, const cv::Mat1f& heights) {
-  int inside = 0, all = 0;
-  for (int y = 0; y < heights.rows; y += 3) {
-    for (int x = 0; x < heights.cols; x += 3) {
-      const auto point = prior.pair.base.camera.localize(cv::Point2d(x, y), double{heights(y, x)});
-      if (!point) continue;
-      const cv::Vec3d seen = prior.pair.see(*point);
-      const cv::Point pixel(cvRound(seen[0]), cvRound(seen[1]));
-      if (!cv::Rect({}, prior.range.size()).contains(pixel)) continue;
-      const Interval range = prior.range.at(pixel.y, pixel.x);
-      ++all;
-      inside += seen[2] >= range.begin && seen[2] <= range.end - 1;
-    }
-  }
-  return static_cast<double>(inside) / all;
+  return {pair, prior->run(pair, {&dem, nullptr}, Context())};
 }
 
 }  // namespace
@@ -140,15 +118,14 @@ TEST_CASE("a sculpted range holds the truth, in at most half of what the whole D
   const Prior sculpted = run_prior("dem_sculpting", base, match, dem);
   const Prior global = run_prior("dem_global", base, match, dem);
   const Prior cameras = run_prior("rpc_heights", base, match, dem);
-  const auto per_pixel = [](const Prior& prior) {
-    return search_volume(prior.range) / static_cast<double>(prior.range.size().area());
+  MESSAGE("disparities per pixel: sculpted " << searched_per_pixel(sculpted.range) << ", whole DEM "
+                                             << searched_per_pixel(global.range)
+                                             << ", cameras' heights "
+                                             << searched_per_pixel(cameras.range));
+  const auto inside = [&](const Prior& prior) {
+    return truth_searched(prior.pair, prior.range, scene.heights[0]);
   };
-  MESSAGE("disparities per pixel: sculpted " << per_pixel(sculpted) << ", whole DEM "
-                                             << per_pixel(global) << ", cameras' heights "
-                                             << per_pixel(cameras));
-  const double inside = searched(sculpted, scene.heights[0]);
-  MESSAGE("truth inside: sculpted " << inside << ", whole DEM "
-                                    << searched(global, scene.heights[0]));
+  MESSAGE("truth inside: sculpted " << inside(sculpted) << ", whole DEM " << inside(global));
   CHECK(search_volume(sculpted.range) <= search_volume(global.range) / 2);
-  CHECK(inside >= 0.995);
+  CHECK(inside(sculpted) >= 0.995);
 }

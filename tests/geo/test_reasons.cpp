@@ -39,9 +39,9 @@ class SearchesTheRest final : public RangePrior {
                          const HeightField* dem, const Context&) const override {
     return {dem->bounds().min - 20, dem->bounds().max + 30};
   }
-  DisparityRange run(const RectifiedPair& pair, const HeightField* const& dem,
+  DisparityRange run(const RectifiedPair& pair, const KnownSurfaces& known,
                      const Context& context) const override {
-    const DisparityRange all = RangePrior::run(pair, dem, context);
+    const DisparityRange all = RangePrior::run(pair, known, context);
     return DisparityRange::of_pixels(all.size(), [&](int y, int x) {
       const bool is_searched = pair.geometry->to_base(cv::Point2d(x, y)).x >= kUnsearched;
       return is_searched ? all.at(y, x) : Interval{};

@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The top of a file with `type: surface`: from satellite images to heights on a grid.
-#include <algorithm>
-#include <memory>
-
 #include "plugins/pipeline/surface/cloud.hpp"
 #include "plugins/pipeline/surface/grid.hpp"
 #include "plugins/pipeline/surface/layers.hpp"
+#include "plugins/pipeline/surface/match_pairs.hpp"
 #include "plugins/pipeline/surface/possible.hpp"
 #include "plugins/pipeline/surface/reasons.hpp"
-#include "xgm/data/image_parts.hpp"
-#include "xgm/geo/image/resample.hpp"
-#include "xgm/geo/stage/pointing.hpp"
-#include "xgm/geo/stage/range_prior.hpp"
-#include "xgm/geo/stage/rectification.hpp"
+#include "plugins/pipeline/surface/stages.hpp"
 #include "xgm/geo/stage/surface_family.hpp"
-#include "xgm/geo/stage/triangulation.hpp"
 
 namespace {
 
@@ -23,19 +16,7 @@ using namespace xgm::geo;
 
 class SurfacePipeline final : public SurfaceFamily {
  public:
-  struct Parameters {
-    Slot<Pairs> pairs;
-    Slot<Pointing> pointing;
-    Slot<Rectifier> rectification;
-    Slot<RangePrior> range_prior;
-    Slot<StereoFamily> matching;
-    SlotList<Filter> filters;
-    Slot<Triangulation> triangulation;
-    Slot<Surface> surface;
-    Slot<Fusion> fusion;
-    double resolution = 0;
-    int tile = 2000;
-  };
+  using Parameters = SurfaceStages;
 
   static void describe(Parameters& p, ParameterSet& set) {
     set.add("pairs", p.pairs, "Which images are matched.").default_stage("all");
@@ -70,22 +51,17 @@ class SurfacePipeline final : public SurfaceFamily {
         common_heights(request.images.front().camera, request.images.back().camera);
     result.images = p_.pointing(context.part(0.01, 0.15), request.images, result.pairs,
                                 GroundKnowledge{request.dem.get(), heights});
-    std::vector<SeenPair> seen;
-    for (std::size_t i = 0; i < result.pairs.size(); ++i) {
-      const double n = static_cast<double>(result.pairs.size());
-      const double begin = 0.15 + 0.7 * static_cast<double>(i) / n;
-      seen.push_back(
-          {result.images[result.pairs[i].base], result.images[result.pairs[i].match], {}});
-      result.clouds.push_back(
-          match_pair(request, seen.back(), context.part(begin, begin + 0.7 / n)));
-    }
+    MatchedPairs matched = match_pairs(p_, p_.range_prior, request, result.images, result.pairs,
+                                       context.part(0.15, 0.85));
+    result.clouds = std::move(matched.clouds);
     const Crs crs = choose_crs(request.area, result.clouds);
     const CrsTransform to_grid("EPSG:4326", crs);
     for (PointCloud& cloud : result.clouds) move_to_grid(cloud, to_grid);
     const double step = p_.resolution > 0 ? p_.resolution : ground_pixel(request.images.front());
     result.grid = choose_grid(request.area, crs, result.clouds, step);
     make_surfaces(context.part(0.85, 1), request.outline, result);
-    result.reasons = explain_cells(result.grid, result.fused.heights.values, result.surfaces, seen);
+    result.reasons =
+        explain_cells(result.grid, result.fused.heights.values, result.surfaces, matched.seen);
     mark_outside(request.outline, result.grid, result.reasons);
     return result;
   }
@@ -116,53 +92,6 @@ class SurfacePipeline final : public SurfaceFamily {
                          field + "')");
       }
     }
-  }
-
-  PointCloud match_pair(const SurfaceRequest& request, SeenPair& pair,
-                        const Context& context) const {
-    const Context here = context.scope(pair.base.name + "_" + pair.match.name);
-    const GreyScale base_scale = find_grey_scale(pair.base),
-                    match_scale = find_grey_scale(pair.match);
-    const cv::Rect whole = window_of(request, pair.base);
-    const std::vector<cv::Rect> windows = image_parts(whole.size(), {p_.tile, p_.tile});
-    PointCloud cloud;
-    cloud.base = pair.base.name;
-    cloud.match = pair.match.name;
-    for (std::size_t i = 0; i < windows.size(); ++i) {
-      const double n = static_cast<double>(windows.size());
-      const Context tile = here.part(static_cast<double>(i) / n, static_cast<double>(i + 1) / n);
-      match_window(request, pair, windows[i] + whole.tl(), base_scale, match_scale,
-                   windows.size() > 1 ? tile.scope("tile_" + std::to_string(i + 1)) : tile, cloud);
-    }
-    return cloud;
-  }
-
-  void match_window(const SurfaceRequest& request, SeenPair& seen, const cv::Rect& window,
-                    const GreyScale& base_scale, const GreyScale& match_scale,
-                    const Context& context, PointCloud& cloud) const {
-    const HeightField* const dem = request.dem.get();
-    RectifiedPair pair{seen.base, seen.match, {}, nullptr};
-    pair.heights = p_.range_prior->heights(seen.base, seen.match, window, dem, context);
-    // More than the window, so that what lies at its border is matched with what is around it.
-    constexpr int kCollar = 64;  // px
-    const cv::Rect around = cv::Rect(window.tl() - cv::Point(kCollar, kCollar),
-                                     window.size() + cv::Size(2 * kCollar, 2 * kCollar)) &
-                            cv::Rect({}, seen.base.size);
-    pair.geometry = p_.rectification(context, seen.base, seen.match, around, pair.heights);
-    DisparityRange range = p_.range_prior(context, pair, dem);
-    const MatchRequest matching{resample(pair, base_scale, match_scale), std::move(range), {}};
-    const DisparityMap map = matched(matching, context);
-    if (request.matched) request.matched(pair, map);
-    const PointGrid points = p_.triangulation(context, pair, map);
-    append(cloud, points, map, matching.pair.base.planes.front(), *pair.geometry, window);
-    seen.windows.push_back(remember(window, pair, matching, map, points));
-  }
-
-  DisparityMap matched(const MatchRequest& request, const Context& context) const {
-    if (request.range.hull().empty()) return DisparityMap(request.pair.size());
-    DisparityMap map = p_.matching(context, request).forward;
-    for (const auto& filter : p_.filters) map = filter(context, map, request.pair);
-    return map;
   }
 
   /// Of the clouds, on the grid.

@@ -11,6 +11,7 @@ void SearchVolume::stage_end(const StagePlace& place, const StageStatistics&,
                              const Artifact& result) {
   const auto* const held = std::get_if<const DisparityRange*>(&result);
   if (place.kind != RangePrior::kKind || held == nullptr || *held == nullptr) return;
+  if (place.level.scale > 1) return;  // a coarser run that only bounds this one
   const DisparityRange& range = **held;
   for (int y = 0; y < range.size().height; ++y) {
     for (int x = 0; x < range.size().width; ++x) {

@@ -18,7 +18,12 @@ std::optional<Interval> disparities_between(const RectifiedPair& pair, cv::Point
                   static_cast<int>(std::ceil(std::max(a, b))) + 1};
 }
 
-DisparityRange RangePrior::run(const RectifiedPair& pair, const HeightField* const&,
+const Slot<RangePrior>* RangePrior::coarse_prior(const SatelliteImage&, const SatelliteImage&,
+                                                 const HeightInterval&, const HeightField*) const {
+  return nullptr;
+}
+
+DisparityRange RangePrior::run(const RectifiedPair& pair, const KnownSurfaces&,
                                const Context&) const {
   constexpr int kSteps = 8;  // per direction; in between the range is all but linear
   const cv::Size size = pair.geometry->size();
@@ -32,6 +37,15 @@ DisparityRange RangePrior::run(const RectifiedPair& pair, const HeightField* con
   }
   if (hull.empty()) throw Error(pair.base.file + ": its camera reaches no ground in this window");
   return DisparityRange::uniform(size, hull);
+}
+
+double parallax(const SatelliteImage& base, const SatelliteImage& match,
+                const HeightInterval& heights) {
+  const cv::Point2d middle(base.size.width / 2.0, base.size.height / 2.0);
+  const auto low = base.camera.localize(middle, heights.min);
+  const auto high = base.camera.localize(middle, heights.max);
+  if (!low || !high) return 0;
+  return cv::norm(match.camera.project(*high) - match.camera.project(*low));
 }
 
 HeightInterval common_heights(const RpcCamera& a, const RpcCamera& b) {

@@ -6,10 +6,19 @@
 #include <string_view>
 #include <vector>
 
+#include "xgm/geo/ground/raster.hpp"
 #include "xgm/geo/image/rectified_pair.hpp"
 #include "xgm/plugin.hpp"
 
 namespace xgm::geo {
+
+/// What is known of the ground when a window is matched; both may be null.
+struct KnownSurfaces {
+  const HeightField* dem = nullptr;
+  /// The fused surface of a run at a quarter of the resolution: heights above the ellipsoid, in a
+  /// projected CRS. Without cells if nothing could be matched there.
+  const Raster* coarse = nullptr;
+};
 
 class XGM_API RangePrior : public Stage {
  public:
@@ -26,9 +35,16 @@ class XGM_API RangePrior : public Stage {
   /// Whether it can do nothing without a DEM.
   virtual bool needs_dem() const { return false; }
 
+  /// What bounds the search of a run at a quarter of the resolution, if run() wants to know the
+  /// surface of that for a pair, whose heights() in some window are these; else null.
+  virtual const Slot<RangePrior>* coarse_prior(const SatelliteImage& base,
+                                               const SatelliteImage& match,
+                                               const HeightInterval& heights,
+                                               const HeightField* dem) const;
+
   /// The range of every pixel of the rectified base image. An empty interval: nothing is searched
   /// there. As it stands here: what ground between pair.heights has anywhere in the image.
-  virtual DisparityRange run(const RectifiedPair& pair, const HeightField* const& dem,
+  virtual DisparityRange run(const RectifiedPair& pair, const KnownSurfaces& known,
                              const Context& context) const;
 };
 
@@ -37,6 +53,12 @@ class XGM_API RangePrior : public Stage {
 XGM_API std::optional<Interval> disparities_between(const RectifiedPair& pair,
                                                     cv::Point2d rectified,
                                                     const HeightInterval& heights);
+
+/// How far apart the match image shows the lowest and the highest point of a line of sight, px, in
+/// the middle of the base image: what has to be searched if no more is known. 0 if its camera finds
+/// no such points.
+XGM_API double parallax(const SatelliteImage& base, const SatelliteImage& match,
+                        const HeightInterval& heights);
 
 /// Heights that both cameras were made for.
 XGM_API HeightInterval common_heights(const RpcCamera& a, const RpcCamera& b);
