@@ -46,7 +46,8 @@ void refuse_options_of_pairs(const RunCommandOptions& options) {
       {"--truth-divisor", options.truth_divisor.has_value(), "the truth is a raster of heights"},
       {"--truth-nodata", !options.truth_no_data.empty(),
        "name the value in the truth (gdal_edit.py)"},
-      {"--truth-mask", !options.truth_mask.empty(), "take the heights out of the truth that are not to be judged"},
+      {"--truth-mask", !options.truth_mask.empty(),
+       "take the heights out of the truth that are not to be judged"},
   });
 }
 
