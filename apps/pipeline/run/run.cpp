@@ -29,11 +29,13 @@ RecordRequest record_request(const RunCommandOptions& options) {
           .depth = {options.cloud, options.depth}};
 }
 
-/// In tiles, if that is asked for.
-MatchPair matching(const RunCommandOptions& options, const Pipeline& pipeline) {
+/// In tiles, if that is asked for, or if a limit may ask for it.
+ChooseParts parts(const RunCommandOptions& options, const Pipeline& pipeline) {
   const std::string& text = options.tiles;
-  if (text.empty()) return {};
-  if (!options.dump.empty() || !options.explain.empty()) {
+  const bool keeps_stages = !options.dump.empty() || !options.explain.empty();
+  if (text.empty() && (options.memory_limit.empty() || keeps_stages)) return {};
+  if (text.empty()) return tiles::in_tiles_if_needed(pipeline);
+  if (keeps_stages) {
     throw UsageError(
         "--tiles: the results of stages are not kept; leave out --dump and --explain, or "
         "match a part of the images as a whole");
@@ -80,7 +82,7 @@ int run(const RunCommandOptions& options, const std::vector<std::string>& comman
       return run_surface(*pipeline, registry, options, command_line, run, progress);
     }
     const SceneRequest scene = scene_request(options, registry);
-    request.match = matching(options, *pipeline);
+    request.parts = parts(options, *pipeline);
     request.inputs = files_beside_scene(registry, options.scene, options.dataset);
     return run_checked(*pipeline, scene, request, run, progress);
   } catch (const Cancelled&) {

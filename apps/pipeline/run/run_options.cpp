@@ -99,7 +99,8 @@ void add_run_options(Command command, RunCommandOptions& options) {
   command
       .option("--tiles", options.tiles,
               "Match in tiles, which bounds the memory: of this size in px, or of one that fits "
-              "--memory-limit, else what is free")
+              "--memory-limit, else what is free. With --memory-limit alone: if the whole does not "
+              "fit")
       .type_name("auto|WIDTHxHEIGHT");
   add_insights(command, options);
   add_truth(command, options);

@@ -13,6 +13,10 @@ struct CoarseMaps {
   MatchResult maps;
 };
 
+/// That of the finest level that is matched as a whole: with no more pixels than are allowed, or
+/// the coarsest. 1 without a pyramid.
+int coarse_scale(const Pipeline& pipeline, cv::Size image, const TileOptions& tiles);
+
 /// None without a pyramid.
 std::optional<CoarseMaps> match_coarse(const Pipeline& pipeline, const TiledRequest& request,
                                        const TileOptions& tiles, const RunOptions& options);

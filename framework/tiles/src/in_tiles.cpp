@@ -3,28 +3,16 @@
 
 #include <algorithm>
 
+#include "tile_plan.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/base/memory.hpp"
-#include "xgm/base/parallel.hpp"
 #include "xgm/base/text.hpp"
-#include "xgm/pipeline/plan.hpp"
+#include "xgm/io/write_maps.hpp"
 
 namespace xgm::tiles {
 namespace {
 
 constexpr int kSmallestTile = 256;  // below, most of what is matched is halo
-
-/// Bytes of what is kept of the whole scene: the images, the map, and pictures of it.
-double held(const MatchRequest& request, const SceneInputs& inputs) {
-  const Workload load = workload_of(request, 1);
-  const double map_bytes = 5;
-  return 2 * load.image_bytes() + map_bytes * load.pixels() + inputs.besides.after;
-}
-
-void paste(const DisparityMap& part, const cv::Rect& place, DisparityMap& whole) {
-  part.disparity.copyTo(whole.disparity(place));
-  part.status.copyTo(whole.status(place));
-}
 
 std::string text(cv::Size size) {
   return std::to_string(size.width) + " x " + std::to_string(size.height) + " px";
@@ -38,85 +26,112 @@ TileOptions tiles_of(cv::Size size) {
   return tiles;
 }
 
-/// What the whole process takes with tiles of a size.
-class TilePlan {
- public:
-  TilePlan(const Pipeline& pipeline, const MatchRequest& request, double held,
-           const RunOptions& options)
-      : trace_(RunTrace::of_memory(pipeline, request, options)),
-        whole_(request.pair.size()),
-        held_(held) {
-    request_.load = workload_of(request, options.threads > 0 ? options.threads : thread_count());
+TileOptions fitting(const TilePlan& plan, cv::Size whole, double limit) {
+  for (int side = std::max(whole.width, whole.height);; side = side * 3 / 4) {
+    const TileOptions tiles = tiles_of({side, side});
+    const double bytes = plan.bytes(tiles);
+    if (bytes <= limit) return tiles;
+    if (side > kSmallestTile) continue;
+    throw UsageError("images of " + text(whole) + " take " + bytes_text(bytes) +
+                     " even in tiles of " + text(tiles.size) + ", and --memory-limit allows " +
+                     bytes_text(limit) +
+                     "; raise --memory-limit, search fewer disparities, or match a part of the "
+                     "images");
   }
-
-  double bytes(const TileOptions& tiles) const {
-    PlanRequest request = request_;
-    // Columns in which the other view may show the pixels of the tile are read and matched, too.
-    const int aside = 2 * (tiles.halo + request.load.range.size());
-    request.load.size = {std::min(whole_.width, tiles.size.width + aside),
-                         std::min(whole_.height, tiles.size.height + 2 * tiles.halo)};
-    return held_ + plan_run(trace_, request).peak_bytes;
-  }
-
- private:
-  RunTrace trace_;
-  PlanRequest request_;
-  cv::Size whole_;
-  double held_;
-};
-
-TileOptions chosen(const Pipeline& pipeline, const MatchRequest& request, const SceneInputs& inputs,
-                   const RunOptions& options) {
-  const double free =
-      static_cast<double>(available_memory()) + static_cast<double>(resident_memory());
-  return fitting_tiles(pipeline, request, held(request, inputs), inputs.memory_limit.value_or(free),
-                       options);
 }
 
-/// Throws UsageError if tiles of this size do not fit the limit, if there is one.
-TileOptions checked(const Pipeline& pipeline, const MatchRequest& request,
-                    const SceneInputs& inputs, const TileOptions& tiles,
-                    const RunOptions& options) {
-  if (!inputs.memory_limit) return tiles;
-  const double bytes = TilePlan(pipeline, request, held(request, inputs), options).bytes(tiles);
-  if (bytes <= *inputs.memory_limit) return tiles;
-  throw UsageError("tiles of " + text(tiles.size) + " take " + bytes_text(bytes) +
-                   ", and --memory-limit allows " + bytes_text(*inputs.memory_limit) +
+/// Throws UsageError if tiles of this size do not fit the limit.
+TileOptions checked(const TilePlan& plan, cv::Size size, double limit) {
+  const TileOptions tiles = tiles_of(size);
+  const double bytes = plan.bytes(tiles);
+  if (bytes <= limit) return tiles;
+  throw UsageError("tiles of " + text(size) + " take " + bytes_text(bytes) +
+                   ", and --memory-limit allows " + bytes_text(limit) +
                    "; give smaller ones, or --tiles auto");
+}
+
+TiledRequest request_of(const SceneInputs& inputs) {
+  const Scene& scene = inputs.scene;
+  if (scene.windows) return {scene.windows, inputs.range};
+  return {std::make_shared<PairInMemory>(scene.pair), inputs.range};
+}
+
+/// With the images, the truth and the map as a whole, unless these are read and written by windows.
+Besides besides_of(const SceneInputs& inputs) {
+  Besides besides = inputs.besides;
+  besides.level_pixel = 0;  // levels are not kept
+  if (inputs.scene.windows) return besides;
+  const auto bytes = [](const cv::Mat& map) {
+    return static_cast<double>(map.total() * map.elemSize());
+  };
+  for (const Image* image : {&inputs.scene.pair.base, &inputs.scene.pair.match}) {
+    for (const cv::Mat1f& plane : image->planes) besides.held += bytes(plane);
+    besides.held += bytes(image->valid);
+  }
+  const GroundTruth& truth = inputs.scene.truth;
+  besides.held += bytes(truth.disparity) + bytes(truth.reverse) + bytes(truth.non_occluded) +
+                  bytes(truth.objects);
+  constexpr double kMapBytes = 5;
+  besides.held += kMapBytes * inputs.scene.size().area();
+  return besides;
+}
+
+Besides besides_of_whole(const SceneInputs& inputs) {
+  return inputs.scene.windows ? Besides{.after = bytes_to_write_maps(inputs.scene.size())}
+                              : inputs.besides;
+}
+
+double free_bytes() {
+  return static_cast<double>(available_memory()) + static_cast<double>(resident_memory());
+}
+
+MatchParts match_in(const Pipeline& pipeline, TiledRequest request, const TileOptions& tiles,
+                    const std::string& reason, const RunOptions& options) {
+  if (options.observer != nullptr) {
+    options.observer->log(LogLevel::info, {},
+                          reason + "matched in tiles of up to " + text(tiles.size));
+  }
+  return [&pipeline, request = std::move(request), tiles](const TakePart& take,
+                                                          const RunOptions& watched) {
+    run_in_tiles(pipeline, request, tiles, take, watched);
+  };
 }
 
 }  // namespace
 
-TileOptions fitting_tiles(const Pipeline& pipeline, const MatchRequest& request, double held,
-                          double limit, const RunOptions& options) {
-  const TilePlan plan(pipeline, request, held, options);
-  const cv::Size whole = request.pair.size();
-  for (int side = std::max(whole.width, whole.height);; side = side * 3 / 4) {
-    const TileOptions tiles = tiles_of({side, side});
-    if (plan.bytes(tiles) <= limit) return tiles;
-    if (side <= kSmallestTile) break;
-  }
-  throw UsageError("images of " + text(whole) + " take " + bytes_text(held) +
-                   " beside what their tiles take, and " + bytes_text(limit) +
-                   " are allowed; raise --memory-limit, or match a part of the images");
+TileOptions fitting_tiles(const Pipeline& pipeline, const TiledRequest& request,
+                          const Besides& besides, double limit, const RunOptions& options) {
+  return fitting(TilePlan(pipeline, request, besides, options), request.pair->size(), limit);
 }
 
-MatchPair in_tiles(const Pipeline& pipeline, std::optional<cv::Size> size) {
-  return [&pipeline, size](const MatchRequest& request, const SceneInputs& inputs,
-                           const RunOptions& options) {
-    const TileOptions tiles = size ? checked(pipeline, request, inputs, tiles_of(*size), options)
-                                   : chosen(pipeline, request, inputs, options);
-    if (options.observer != nullptr) {
-      options.observer->log(LogLevel::info, {}, "matched in tiles of up to " + text(tiles.size));
+ChooseParts in_tiles(const Pipeline& pipeline, std::optional<cv::Size> size) {
+  return [&pipeline, size](const SceneInputs& inputs, const RunOptions& options) {
+    TiledRequest request = request_of(inputs);
+    TileOptions tiles;
+    if (size && !inputs.memory_limit) {
+      tiles = tiles_of(*size);
+    } else {
+      const TilePlan plan(pipeline, request, besides_of(inputs), options);
+      const double limit = inputs.memory_limit.value_or(free_bytes());
+      tiles = size ? checked(plan, *size, limit) : fitting(plan, inputs.scene.size(), limit);
     }
-    MatchResult result{DisparityMap(request.pair.size()), std::nullopt};
-    run_in_tiles(
-        pipeline, {std::make_shared<PairInMemory>(request.pair), request.range}, tiles,
-        [&](const cv::Rect& place, const DisparityMap& part) {
-          paste(part, place, result.forward);
-        },
-        options);
-    return result;
+    return match_in(pipeline, std::move(request), tiles, "", options);
+  };
+}
+
+ChooseParts in_tiles_if_needed(const Pipeline& pipeline) {
+  return [&pipeline](const SceneInputs& inputs, const RunOptions& options) -> MatchParts {
+    const double limit = inputs.memory_limit.value_or(free_bytes());
+    TiledRequest request = request_of(inputs);
+    const TilePlan plan(pipeline, request, besides_of(inputs), options);
+    const double whole =
+        plan.bytes_of_whole(besides_of_whole(inputs), !inputs.scene.truth.disparity.empty());
+    if (whole <= limit) return {};
+    const TileOptions tiles = fitting(plan, inputs.scene.size(), limit);
+    return match_in(pipeline, std::move(request), tiles,
+                    "the whole takes " + bytes_text(whole) + ", and --memory-limit allows " +
+                        bytes_text(limit) + ": ",
+                    options);
   };
 }
 

@@ -177,15 +177,16 @@ TEST_CASE("a run in tiles looks like one run to its observer, and can be cancell
 
 #ifndef XGM_SANITIZED  // sanitizers need memory of their own
 TEST_CASE("tiles are as large as the memory allows") {
-  const MatchRequest request{xgm::testing::shifted_pair({1600, 1200}, 3, 1),
-                             DisparityRange::uniform({1600, 1200}, {0, 128}), std::nullopt};
+  const TiledRequest request{
+      std::make_shared<PairInMemory>(xgm::testing::shifted_pair({1600, 1200}, 3, 1)),
+      DisparityRange::uniform({1600, 1200}, {0, 128})};
   const Pipeline pipeline = require_pipeline("sgm8", builtins());
   const double base = static_cast<double>(resident_memory());
-  const TileOptions large = fitting_tiles(pipeline, request, 0, base + 4e9, {});
-  const TileOptions small = fitting_tiles(pipeline, request, 0, base + 3e8, {});
+  const TileOptions large = fitting_tiles(pipeline, request, {}, base + 4e9, {});
+  const TileOptions small = fitting_tiles(pipeline, request, {}, base + 3e8, {});
   CHECK(large.size.width >= 1600);
   CHECK(small.size.width < 1600);
-  CHECK_THROWS_WITH_AS(fitting_tiles(pipeline, request, 1e9, base, {}),
+  CHECK_THROWS_WITH_AS(fitting_tiles(pipeline, request, {.held = 1e9}, base, {}),
                        doctest::Contains("raise --memory-limit"), UsageError);
 }
 #endif

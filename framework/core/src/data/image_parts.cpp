@@ -33,4 +33,17 @@ std::vector<cv::Rect> image_parts(cv::Size image, cv::Size largest, int alignmen
   return all;
 }
 
+std::vector<cv::Rect> row_bands(cv::Size image, int alignment) {
+  // Files are decoded in tiles, of which these rows are a multiple nearly always.
+  constexpr int kTileRows = 256, kPixels = 1 << 22, kWide = kPixels / kTileRows * 4;
+  int rows = kPixels / std::max(1, image.width);
+  if (image.width <= kWide) rows = std::max(kTileRows, rows / kTileRows * kTileRows);
+  rows = std::max(alignment, rows / alignment * alignment);
+  std::vector<cv::Rect> bands;
+  for (int y = 0; y < image.height; y += rows) {
+    bands.emplace_back(0, y, image.width, std::min(rows, image.height - y));
+  }
+  return bands;
+}
+
 }  // namespace xgm

@@ -53,13 +53,11 @@ void for_each_valid(const Raster& raster, Body body) {
   }
 }
 
-Ends ends_of(const Raster& raster) {
-  Ends ends;
+void add_ends(const Raster& raster, Ends& ends) {
   for_each_valid(raster, [&](int, int, float value) {
     ends.low.take(value, 1);
     ends.high.take(value, -1);
   });
-  return ends;
 }
 
 /// Takes pixels out of the valid ones whose value is such; returns how many.
@@ -134,61 +132,104 @@ Rules rules_of_images(int depth) {
   return rules;
 }
 
-std::string pixels_hold(const Raster& raster, std::int64_t pixels, const std::string& what) {
-  return raster.file + ": " + std::to_string(pixels) + " of " +
-         std::to_string(raster.size().area()) + " pixels hold " + what;
-}
+/// A look at all pixels: those that mean no data are taken out.
+struct Look {
+  Ends ends{};              ///< of the pixels that are left
+  std::int64_t masked = 0;  ///< pixels that this look has taken out, and no earlier one
+  double example = 0;       ///< the value of one of them
+};
 
-std::string taken_for_none(const Rules& rules) {
-  return std::string(", ") + rules.certain + ": they are taken for pixels without data";
-}
+class MarkSearch {
+ public:
+  MarkSearch(const MarkedFile& file, const Rules& rules) : file_(file), rules_(rules) {}
 
-/// Those too large to be anything. There may be many different ones; the warning names one.
-void mask_impossible(Raster& raster, const Rules& rules, std::vector<std::string>& warnings) {
-  double example = 0;
-  const std::int64_t pixels = mask_out(raster, [&](float value) {
-    if (std::abs(value) <= rules.never) return false;
-    example = value;
-    return true;
-  });
-  if (pixels == 0) return;
-  const std::string what = "values such as " + short_number(example);
-  warnings.push_back(pixels_hold(raster, pixels, what) + taken_for_none(rules));
-}
-
-std::vector<std::string> mask_marks(Raster& raster, const Rules& rules) {
-  constexpr int kMostMarks = 8;  // in one file
-  std::vector<std::string> warnings;
-  mask_impossible(raster, rules, warnings);
-  for (int i = 0; i < kMostMarks; ++i) {
-    const Ends ends = ends_of(raster);
-    const bool low = rules.is_mark(ends.low, ends.high);
-    if (!low && !rules.is_mark(ends.high, ends.low)) break;
-    const double mark = low ? ends.low.value : ends.high.value;
-    const std::int64_t pixels = mask_out(raster, [mark](float value) { return value == mark; });
-    if (pixels == 0) break;  // not in all bands
-    warnings.push_back(pixels_hold(raster, pixels, short_number(mark)) + taken_for_none(rules));
+  FoundMarks run() {
+    // There may be many different ones; the warning names one.
+    Look look = look_at_all([&](float value) { return std::abs(value) > rules_.never; });
+    found_.marks.never = rules_.never;
+    if (look.masked > 0) tell_none(look.masked, "values such as " + short_number(look.example));
+    for (int i = 0; i < kMostMarks; ++i) {
+      const bool low = rules_.is_mark(look.ends.low, look.ends.high);
+      if (!low && !rules_.is_mark(look.ends.high, look.ends.low)) break;
+      const double mark = low ? look.ends.low.value : look.ends.high.value;
+      look = look_at_all([mark](float value) { return value == mark; });
+      if (look.masked == 0) break;  // not in all bands
+      found_.marks.values.push_back(mark);
+      tell_none(look.masked, short_number(mark));
+    }
+    tell_doubts(look.ends);
+    return std::move(found_);
   }
-  const Ends ends = ends_of(raster);
-  for (const auto& [end, other] : {std::pair(ends.low, ends.high), {ends.high, ends.low}}) {
-    const std::string why = rules.doubt(end, other);
-    if (why.empty()) continue;
-    warnings.push_back(pixels_hold(raster, end.pixels, short_number(end.value)) + ", " + why +
-                       "; if it means that there is no data, say so (--nodata, for the truth "
-                       "--truth-nodata; in a dataset.yaml no_data, truth_no_data)");
+
+ private:
+  static constexpr int kMostMarks = 8;  // in one file
+
+  template <class Such>
+  Look look_at_all(const Such& such) const {
+    Look look;
+    file_.each_part([&](Raster& part) {
+      mask(part, found_.marks);  // they are there again if it was read again
+      look.masked += mask_out(part, [&](float value) {
+        if (!such(value)) return false;
+        look.example = value;
+        return true;
+      });
+      add_ends(part, look.ends);
+    });
+    return look;
   }
-  return warnings;
+
+  std::string pixels_hold(std::int64_t pixels, const std::string& what) const {
+    return file_.name + ": " + std::to_string(pixels) + " of " + std::to_string(file_.size.area()) +
+           " pixels hold " + what;
+  }
+
+  void tell_none(std::int64_t pixels, const std::string& what) {
+    found_.warnings.push_back(pixels_hold(pixels, what) + ", " + rules_.certain +
+                              ": they are taken for pixels without data");
+  }
+
+  void tell_doubts(const Ends& ends) {
+    for (const auto& [end, other] : {std::pair(ends.low, ends.high), {ends.high, ends.low}}) {
+      const std::string why = rules_.doubt(end, other);
+      if (why.empty()) continue;
+      found_.warnings.push_back(
+          pixels_hold(end.pixels, short_number(end.value)) + ", " + why +
+          "; if it means that there is no data, say so (--nodata, for the truth --truth-nodata; in "
+          "a dataset.yaml no_data, truth_no_data)");
+    }
+  }
+
+  const MarkedFile& file_;
+  const Rules& rules_;
+  FoundMarks found_;
+};
+
+MarkedFile in_memory(Raster& raster) {
+  return {raster.file, raster.size(), [&raster](const TakeRaster& take) { take(raster); }};
 }
 
 }  // namespace
 
+void mask(Raster& raster, const Marks& marks) {
+  if (marks.empty()) return;
+  mask_out(raster, [&](float value) {
+    return std::abs(value) > marks.never ||
+           std::find(marks.values.begin(), marks.values.end(), value) != marks.values.end();
+  });
+}
+
 std::vector<std::string> mask_marks_of_map(Raster& map, double divisor) {
-  return mask_marks(map, rules_of_maps(map, divisor));
+  return MarkSearch(in_memory(map), rules_of_maps(map, divisor)).run().warnings;
+}
+
+FoundMarks marks_of_image(const MarkedFile& file, int depth) {
+  if (depth == CV_8U) return {};
+  return MarkSearch(file, rules_of_images(depth)).run();
 }
 
 std::vector<std::string> mask_marks_of_image(Raster& image) {
-  if (image.depth == CV_8U) return {};
-  return mask_marks(image, rules_of_images(image.depth));
+  return marks_of_image(in_memory(image), image.depth).warnings;
 }
 
 }  // namespace xgm

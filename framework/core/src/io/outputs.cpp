@@ -169,13 +169,16 @@ cv::Size picture_size(cv::Size map) {
 cv::Vec3b status_colour(Status status) { return kStatusColours[static_cast<std::size_t>(status)]; }
 
 cv::Mat3b status_picture(const DisparityMap& map) {
+  return status_picture(map, status_shares(map));
+}
+
+cv::Mat3b status_picture(const DisparityMap& map, const std::array<double, kStatusCount>& shares) {
   const Sampling sampling = Sampling::of_picture(map.size());
   const Layout layout{sampling.shown(), kStatusLines};
   cv::Mat3b canvas = layout.canvas();
   each_shown(sampling,
              [&](int y, int x, cv::Point p) { canvas(y, x) = status_colour(map.at(p.y, p.x)); });
   const int scale = layout.scale();
-  const auto shares = status_shares(map);
   for (int i = 0; i < kStatusCount; ++i) {
     const int left = kMargin * scale + i % kColumns * (kLegendWidth / kColumns * scale);
     const int top = layout.picture.height + (kMargin + i / kColumns * kLine) * scale;

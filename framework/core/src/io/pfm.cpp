@@ -8,9 +8,9 @@
 #include <cstring>
 #include <limits>
 #include <optional>
-#include <ostream>
 #include <string_view>
 
+#include "io/pfm_in_parts.hpp"
 #include "io/whole_file.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/base/scalar.hpp"
@@ -128,20 +128,9 @@ cv::Mat1f read_pfm(const std::string& file) {
 }
 
 void write_pfm(const std::string& file, const cv::Mat1f& map) {
-  write_file(file, [&](std::ostream& stream) {
-    constexpr bool kBig = std::endian::native == std::endian::big;
-    stream << "Pf\n" << map.cols << ' ' << map.rows << '\n' << (kBig ? "1.0\n" : "-1.0\n");
-    std::vector<float> row(static_cast<std::size_t>(map.cols));
-    for (int y = map.rows - 1; y >= 0; --y) {
-      for (int x = 0; x < map.cols; ++x) {
-        const float value = map(y, x);
-        row[static_cast<std::size_t>(x)] =
-            std::isfinite(value) ? value : std::numeric_limits<float>::infinity();
-      }
-      stream.write(reinterpret_cast<const char*>(row.data()),
-                   static_cast<std::streamsize>(row.size() * sizeof(float)));
-    }
-  });
+  PfmInParts pfm(file, map.size());
+  pfm.put({{}, map.size()}, map);
+  pfm.finish();
 }
 
 }  // namespace xgm

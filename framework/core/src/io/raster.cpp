@@ -29,36 +29,11 @@ StoredImage decode(const std::string& file) {
     throw Error(file + ": has " + std::to_string(image.channels()) +
                 " channels; give a grey (1) or colour (3) image, with or without alpha");
   }
-  StoredImage stored;
-  cv::split(image, stored.channels);
-  if (stored.channels.size() % 2 == 0) {
-    stored.alpha = stored.channels.back();
-    stored.channels.pop_back();
-  }
-  return stored;
+  return split_bands(image);
 }
 
-StoredImage read_stored(const std::string& file) {
-  const std::string head = read_head(file, kSizeHeader);
-  if (head.starts_with("Pf") || head.starts_with("PF")) {
-    const std::vector<cv::Mat1f> planes = read_pfm_planes(file);
-    return {.channels = {planes.begin(), planes.end()}};
-  }
-  if (!is_tiff(head)) {
-    require_possible_header(file, head);
-    require_whole(file, head);
-    return decode(file);
-  }
-  StoredImage image = read_tiff(file);
-  if (!image.channels.empty()) return image;
-  StoredImage decoded = decode(file);
-  decoded.no_data = image.no_data;
-  return decoded;
-}
-
-/// Alpha tells where there is data, unless it is zero everywhere: then it was never filled in.
+/// Empty if all pixels have data.
 cv::Mat1b mask_of_alpha(const cv::Mat& alpha) {
-  if (cv::countNonZero(alpha) == 0) return {};
   const cv::Mat1b valid(alpha != 0);
   return cv::countNonZero(valid) == static_cast<int>(valid.total()) ? cv::Mat1b() : valid;
 }
@@ -93,12 +68,40 @@ void mask_non_finite(Raster& raster) {
 
 }  // namespace
 
-Raster read_raster(const std::string& file, const std::vector<double>& no_data) {
-  StoredImage stored = read_stored(file);
+StoredImage split_bands(const cv::Mat& pixels) {
+  StoredImage stored;
+  cv::split(pixels, stored.channels);
+  if (stored.channels.size() % 2 == 0) {
+    stored.alpha = stored.channels.back();
+    stored.channels.pop_back();
+  }
+  return stored;
+}
+
+StoredImage read_stored(const std::string& file) {
+  const std::string head = read_head(file, kSizeHeader);
+  if (head.starts_with("Pf") || head.starts_with("PF")) {
+    const std::vector<cv::Mat1f> planes = read_pfm_planes(file);
+    return {.channels = {planes.begin(), planes.end()}};
+  }
+  if (!is_tiff(head)) {
+    require_possible_header(file, head);
+    require_whole(file, head);
+    return decode(file);
+  }
+  StoredImage image = read_tiff(file);
+  if (!image.channels.empty()) return image;
+  StoredImage decoded = decode(file);
+  decoded.no_data = image.no_data;
+  return decoded;
+}
+
+Raster to_raster(StoredImage stored, const std::string& file, bool alpha,
+                 const std::vector<double>& no_data) {
   Raster raster;
   raster.file = file;
   raster.depth = stored.channels.front().depth();
-  if (!stored.alpha.empty()) raster.valid = mask_of_alpha(stored.alpha);
+  if (alpha && !stored.alpha.empty()) raster.valid = mask_of_alpha(stored.alpha);
   if (stored.no_data) mask_value(raster.valid, stored.channels, *stored.no_data);
   for (const double value : no_data) mask_value(raster.valid, stored.channels, value);
   for (cv::Mat& channel : stored.channels) {
@@ -107,6 +110,13 @@ Raster read_raster(const std::string& file, const std::vector<double>& no_data) 
   }
   mask_non_finite(raster);
   return raster;
+}
+
+Raster read_raster(const std::string& file, const std::vector<double>& no_data) {
+  StoredImage stored = read_stored(file);
+  // Alpha that is 0 everywhere was never filled in.
+  const bool alpha = !stored.alpha.empty() && cv::countNonZero(stored.alpha) > 0;
+  return to_raster(std::move(stored), file, alpha, no_data);
 }
 
 std::string depth_name(int depth) {

@@ -29,6 +29,17 @@ struct Raster {
   bool holds_whole_numbers() const { return depth != CV_32F && depth != CV_64F; }
 };
 
+/// Of pixels whose bands lie together; the last of two or four is alpha.
+StoredImage split_bands(const cv::Mat& pixels);
+
+/// Decodes any format. Throws Error.
+StoredImage read_stored(const std::string& file);
+
+/// What it holds as values, for a file or a window of it. `alpha` says whether alpha tells where
+/// there is data: not if it is 0 in all of the file.
+Raster to_raster(StoredImage stored, const std::string& file, bool alpha,
+                 const std::vector<double>& no_data);
+
 /// Decodes any format. A pixel has no data where alpha is 0, where a value is not finite, or where
 /// all bands equal the value that the file names (GDAL_NODATA) or one of `no_data`; values are
 /// compared in the type of the file. Throws Error. Exported for the tests only.

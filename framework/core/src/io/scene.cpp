@@ -5,17 +5,35 @@
 
 #include "io/raster.hpp"
 #include "xgm/base/error.hpp"
+#include "xgm/io/pair_in_files.hpp"
 
 namespace xgm {
 namespace {
 
-void note_masked_share(const Image& image, const char* which, std::vector<std::string>& notes) {
-  if (image.valid.empty()) return;
-  const double share = 1 - cv::countNonZero(image.valid) / static_cast<double>(image.valid.total());
+std::optional<double> masked_share(const Image& image) {
+  if (image.valid.empty()) return std::nullopt;
+  return 1 - cv::countNonZero(image.valid) / static_cast<double>(image.valid.total());
+}
+
+void note_masked_share(std::optional<double> share, const char* which,
+                       std::vector<std::string>& notes) {
+  if (!share) return;
   std::ostringstream text;
   text.precision(3);
-  text << which << " image: " << 100 * share << " % of the pixels have no data";
+  text << which << " image: " << 100 * *share << " % of the pixels have no data";
   notes.push_back(text.str());
+}
+
+/// All but the images.
+Scene described(const SceneFiles& files) {
+  Scene scene;
+  scene.name = files.name;
+  scene.disparities = files.disparities;
+  scene.calibration = files.calibration;
+  std::vector<NamedFile> used = files_of(files);
+  std::erase_if(used, [&](const NamedFile& file) { return !fault_of(files, file.file).empty(); });
+  scene.inputs = identify_files(used);
+  return scene;
 }
 
 /// What tells that the calibration is of other images; "" if nothing does.
@@ -51,19 +69,25 @@ void require_disparities_of_size(const SceneFiles& scene, cv::Size size) {
 }
 
 Scene load_scene(const SceneFiles& files) {
-  Scene scene;
-  scene.name = files.name;
-  scene.disparities = files.disparities;
-  scene.calibration = files.calibration;
   ReadPair read = read_pair(files.images);
+  Scene scene = described(files);
   scene.pair = std::move(read.pair);
   scene.notes = std::move(read.notes);
   scene.warnings = std::move(read.warnings);
-  note_masked_share(scene.pair.base, "left", scene.notes);
-  note_masked_share(scene.pair.match, "right", scene.notes);
-  std::vector<NamedFile> used = files_of(files);
-  std::erase_if(used, [&](const NamedFile& file) { return !fault_of(files, file.file).empty(); });
-  scene.inputs = identify_files(used);
+  note_masked_share(masked_share(scene.pair.base), "left", scene.notes);
+  note_masked_share(masked_share(scene.pair.match), "right", scene.notes);
+  return scene;
+}
+
+Scene open_scene(const SceneFiles& files, const std::string& scratch) {
+  auto pair = std::make_shared<const PairInFiles>(files.images, scratch);
+  Scene scene = described(files);
+  scene.notes = pair->notes();
+  scene.warnings = pair->warnings();
+  note_masked_share(pair->masked_share(false), "left", scene.notes);
+  note_masked_share(pair->masked_share(true), "right", scene.notes);
+  scene.windows_bytes = pair->held_bytes();
+  scene.windows = std::move(pair);
   return scene;
 }
 

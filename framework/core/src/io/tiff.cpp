@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "io/stored_windows.hpp"
 #include "io/tiff_file.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/base/scalar.hpp"
@@ -100,25 +101,73 @@ bool is_tiff(std::string_view head) {
          head.starts_with("II+\0"sv) || head.starts_with("MM\0+"sv);
 }
 
-StoredImage read_tiff(const std::string& file) {
-  const TiffFile tiff(file);
-  const TiffLayout layout = layout_of(tiff);
-  const auto orientation = tiff.field(TIFFTAG_ORIENTATION, std::uint16_t{ORIENTATION_TOPLEFT});
-  StoredImage image;
-  image.no_data = no_data_of(tiff);
-  if (layout.depth < 0 && image.no_data) require_values(tiff);
-  if (layout.depth < 0 || orientation > ORIENTATION_BOTLEFT) return image;
-  if (layout.samples > 4) {
-    throw Error(file + ": has " + std::to_string(layout.samples) +
+namespace {
+
+/// A TIFF whose samples are the values of its pixels.
+class TiffImage final : public StoredWindows {
+ public:
+  explicit TiffImage(const std::string& file)
+      : tiff_(file),
+        layout_(layout_of(tiff_)),
+        orientation_(tiff_.field(TIFFTAG_ORIENTATION, std::uint16_t{ORIENTATION_TOPLEFT})),
+        no_data_(no_data_of(tiff_)) {
+    if (layout_.depth < 0 && no_data_) require_values(tiff_);
+    if (is_for_opencv() || layout_.samples <= 4) return;
+    throw Error(file + ": has " + std::to_string(layout_.samples) +
                 " channels; give a grey (1) or colour (3) image, with or without alpha");
   }
-  std::vector<cv::Mat> bands = read_bands(tiff, layout);
-  for (cv::Mat& band : bands) turn(band, orientation);
-  const std::size_t colours = bands.size() > 2 ? 3 : 1;
-  if (bands.size() > colours && has_alpha(tiff)) image.alpha = bands.back();
-  bands.resize(colours);
-  image.channels.assign(bands.rbegin(), bands.rend());  // red is stored first, and kept last
-  return image;
+
+  bool is_for_opencv() const { return layout_.depth < 0 || orientation_ > ORIENTATION_BOTLEFT; }
+  const std::optional<double>& no_data() const { return no_data_; }
+  std::size_t chunk_bytes() const { return chunk_of(tiff_, layout_).bytes; }
+
+  cv::Size size() const override {
+    return {static_cast<int>(layout_.width), static_cast<int>(layout_.height)};
+  }
+
+  StoredImage read(const cv::Rect& window) override {
+    StoredImage image;
+    image.no_data = no_data_;
+    std::vector<cv::Mat> bands = read_bands(tiff_, layout_, in_file(window));
+    for (cv::Mat& band : bands) turn(band, orientation_);
+    const std::size_t colours = bands.size() > 2 ? 3 : 1;
+    if (bands.size() > colours && has_alpha(tiff_)) image.alpha = bands.back();
+    bands.resize(colours);
+    image.channels.assign(bands.rbegin(), bands.rend());  // red is stored first, and kept last
+    return image;
+  }
+
+ private:
+  /// Where the pixels of a window lie before the image is turned.
+  cv::Rect in_file(cv::Rect window) const {
+    const bool right = orientation_ == ORIENTATION_TOPRIGHT || orientation_ == ORIENTATION_BOTRIGHT;
+    const bool bottom = orientation_ == ORIENTATION_BOTLEFT || orientation_ == ORIENTATION_BOTRIGHT;
+    if (right) window.x = size().width - window.br().x;
+    if (bottom) window.y = size().height - window.br().y;
+    return window;
+  }
+
+  TiffFile tiff_;
+  TiffLayout layout_;
+  std::uint16_t orientation_;
+  std::optional<double> no_data_;
+};
+
+}  // namespace
+
+StoredImage read_tiff(const std::string& file) {
+  TiffImage tiff(file);
+  if (!tiff.is_for_opencv()) return tiff.read({{}, tiff.size()});
+  StoredImage none;
+  none.no_data = tiff.no_data();
+  return none;
+}
+
+std::unique_ptr<StoredWindows> open_tiff(const std::string& file) {
+  constexpr std::size_t kLargestChunk = std::size_t{1} << 26;
+  auto tiff = std::make_unique<TiffImage>(file);
+  if (tiff->is_for_opencv() || tiff->chunk_bytes() > kLargestChunk) return nullptr;
+  return tiff;
 }
 
 }  // namespace xgm

@@ -7,31 +7,27 @@
 namespace xgm {
 namespace {
 
-/// Reads strip by strip, or tile by tile.
+/// Reads strip by strip, or tile by tile, those that a window touches.
 class BandReader {
  public:
-  BandReader(const TiffFile& tiff, const TiffLayout& layout) : tiff_(tiff), layout_(layout) {
-    if (layout.is_tiled) {
-      width_ = tiff.field(TIFFTAG_TILEWIDTH, std::uint32_t{0});
-      rows_ = tiff.field(TIFFTAG_TILELENGTH, std::uint32_t{0});
-    } else {
-      width_ = layout.width;
-      rows_ = std::min(tiff.field(TIFFTAG_ROWSPERSTRIP, layout.height), layout.height);
-    }
-    together_ = layout.bands_lie_apart ? 1 : layout.samples;
-    pixel_bytes_ = CV_ELEM_SIZE1(layout.depth) * static_cast<std::size_t>(together_);
-    tiff.require_possible(width_, rows_, pixel_bytes_);
-    buffer_ =
-        std::make_unique_for_overwrite<unsigned char[]>(std::size_t{width_} * rows_ * pixel_bytes_);
-  }
+  BandReader(const TiffFile& tiff, const TiffLayout& layout, const cv::Rect& window)
+      : tiff_(tiff),
+        layout_(layout),
+        window_(window),
+        chunk_(chunk_of(tiff, layout)),
+        buffer_(std::make_unique_for_overwrite<unsigned char[]>(chunk_.bytes)) {}
 
   std::vector<cv::Mat> read() {
-    const cv::Size size(static_cast<int>(layout_.width), static_cast<int>(layout_.height));
     std::vector<cv::Mat> bands;
-    for (int i = 0; i < layout_.samples; ++i) bands.emplace_back(size, layout_.depth);
-    for (int band = 0; band < layout_.samples; band += together_) {
-      for (std::uint32_t y = 0; y < layout_.height; y += rows_) {
-        for (std::uint32_t x = 0; x < layout_.width; x += width_) {
+    for (int i = 0; i < layout_.samples; ++i) bands.emplace_back(window_.size(), layout_.depth);
+    const auto first = [](int at, std::uint32_t side) {
+      return static_cast<std::uint32_t>(at) / side * side;
+    };
+    const auto right = static_cast<std::uint32_t>(window_.br().x);
+    const auto bottom = static_cast<std::uint32_t>(window_.br().y);
+    for (int band = 0; band < layout_.samples; band += chunk_.bands) {
+      for (auto y = first(window_.y, chunk_.rows); y < bottom; y += chunk_.rows) {
+        for (auto x = first(window_.x, chunk_.width); x < right; x += chunk_.width) {
           read_chunk(bands, band, x, y);
         }
       }
@@ -41,14 +37,12 @@ class BandReader {
 
  private:
   void read_chunk(std::vector<cv::Mat>& bands, int band, std::uint32_t x, std::uint32_t y) {
-    const auto width = static_cast<int>(width_);
-    const cv::Rect area(static_cast<int>(x), static_cast<int>(y),
-                        std::min(width, static_cast<int>(layout_.width - x)),
-                        static_cast<int>(std::min(rows_, layout_.height - y)));
+    const cv::Point corner(static_cast<int>(x), static_cast<int>(y));
+    const auto width = static_cast<int>(chunk_.width);
     // The last strip is only as long as the image; tiles are always whole.
-    const auto rows = layout_.is_tiled ? static_cast<int>(rows_) : area.height;
-    const auto bytes = static_cast<tmsize_t>(static_cast<std::size_t>(width) *
-                                             static_cast<std::size_t>(rows) * pixel_bytes_);
+    const auto rows = static_cast<int>(
+        layout_.is_tiled ? chunk_.rows : std::min(chunk_.rows, layout_.height - y));
+    const auto bytes = static_cast<tmsize_t>(chunk_.bytes / chunk_.rows) * rows;
     const auto sample = static_cast<std::uint16_t>(band);
     TIFF* handle = tiff_.handle();
     const tmsize_t got = layout_.is_tiled
@@ -57,26 +51,44 @@ class BandReader {
                              : TIFFReadEncodedStrip(handle, TIFFComputeStrip(handle, y, sample),
                                                     buffer_.get(), bytes);
     if (got != bytes) tiff_.fail("is cut short or damaged at row " + std::to_string(y));
-    const cv::Mat chunk(rows, width, CV_MAKETYPE(layout_.depth, together_), buffer_.get());
+    const cv::Mat chunk(rows, width, CV_MAKETYPE(layout_.depth, chunk_.bands), buffer_.get());
+    const cv::Rect wanted = cv::Rect(corner, chunk.size()) & window_;
     std::vector<cv::Mat> parts;  // of the bands, where the chunk belongs
-    for (int i = band; i < band + together_; ++i) {
-      parts.push_back(bands[static_cast<std::size_t>(i)](area));
+    for (int i = band; i < band + chunk_.bands; ++i) {
+      parts.push_back(bands[static_cast<std::size_t>(i)](wanted - window_.tl()));
     }
-    cv::split(chunk(cv::Rect(0, 0, area.width, area.height)), parts.data());
+    cv::split(chunk(wanted - corner), parts.data());
   }
 
   const TiffFile& tiff_;
   const TiffLayout& layout_;
-  std::uint32_t width_ = 0, rows_ = 0;  // of a strip or tile
-  int together_ = 1;                    // bands in one strip or tile
-  std::size_t pixel_bytes_ = 1;
+  cv::Rect window_;
+  TiffChunk chunk_;
   std::unique_ptr<unsigned char[]> buffer_;
 };
 
 }  // namespace
 
-std::vector<cv::Mat> read_bands(const TiffFile& tiff, const TiffLayout& layout) {
-  return BandReader(tiff, layout).read();
+TiffChunk chunk_of(const TiffFile& tiff, const TiffLayout& layout) {
+  TiffChunk chunk;
+  if (layout.is_tiled) {
+    chunk.width = tiff.field(TIFFTAG_TILEWIDTH, std::uint32_t{0});
+    chunk.rows = tiff.field(TIFFTAG_TILELENGTH, std::uint32_t{0});
+  } else {
+    chunk.width = layout.width;
+    chunk.rows = std::min(tiff.field(TIFFTAG_ROWSPERSTRIP, layout.height), layout.height);
+  }
+  chunk.bands = layout.bands_lie_apart ? 1 : layout.samples;
+  const std::size_t pixel_bytes =
+      CV_ELEM_SIZE1(layout.depth) * static_cast<std::size_t>(chunk.bands);
+  tiff.require_possible(chunk.width, chunk.rows, pixel_bytes);
+  chunk.bytes = std::size_t{chunk.width} * chunk.rows * pixel_bytes;
+  return chunk;
+}
+
+std::vector<cv::Mat> read_bands(const TiffFile& tiff, const TiffLayout& layout,
+                                const cv::Rect& window) {
+  return BandReader(tiff, layout, window).read();
 }
 
 }  // namespace xgm

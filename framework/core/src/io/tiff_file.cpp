@@ -27,7 +27,8 @@ TiffFile::TiffFile(const std::string& name) : name_(name) {
                                                                              TIFFOpenOptionsFree);
   TIFFOpenOptionsSetErrorHandlerExtR(options.get(), keep_message, &message_);
   TIFFOpenOptionsSetWarningHandlerExtR(options.get(), ignore_message, nullptr);
-  handle_ = TIFFOpenExt(name.c_str(), "r", options.get());
+  // Not mapped into memory: what has been read of a large file would count as taken.
+  handle_ = TIFFOpenExt(name.c_str(), "rm", options.get());
   if (handle_ == nullptr) fail("is no TIFF that can be read");
 }
 

@@ -48,7 +48,18 @@ struct TiffLayout {
   bool bands_lie_apart = false;
 };
 
-/// The bands, in the order of the file, not turned. The layout has a depth. Throws Error.
-std::vector<cv::Mat> read_bands(const TiffFile& tiff, const TiffLayout& layout);
+/// A strip or tile, which is decoded as a whole.
+struct TiffChunk {
+  std::uint32_t width = 0, rows = 0;
+  int bands = 1;  ///< that lie in it together
+  std::size_t bytes = 0;
+};
+/// The layout has a depth. Throws Error.
+TiffChunk chunk_of(const TiffFile& tiff, const TiffLayout& layout);
+
+/// A window of the bands, in the order of the file, not turned. The layout has a depth. Throws
+/// Error.
+std::vector<cv::Mat> read_bands(const TiffFile& tiff, const TiffLayout& layout,
+                                const cv::Rect& window);
 
 }  // namespace xgm

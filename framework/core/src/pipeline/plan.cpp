@@ -153,13 +153,16 @@ class Walk {
 
 Workload workload_of(const MatchRequest& request, int threads) {
   const Image& base = request.pair.base;
-  Workload load = Workload::dense(request.pair.size(), static_cast<int>(base.planes.size()),
-                                  request.range.hull());
+  return workload_of(request.range, static_cast<int>(base.planes.size()), base.valid, threads);
+}
+
+Workload workload_of(const DisparityRange& range, int planes, const cv::Mat1b& valid, int threads) {
+  Workload load = Workload::dense(range.size(), planes, range.hull());
   load.threads = threads;
-  load.masked = !base.valid.empty();
-  if (load.masked) load.used = cv::countNonZero(base.valid) / load.pixels();
-  load.ragged = !request.range.is_uniform();
-  if (load.ragged) load.cells_per_pixel = trace::mean_searched(request.range, base.valid).cells;
+  load.masked = !valid.empty();
+  if (load.masked) load.used = cv::countNonZero(valid) / load.pixels();
+  load.ragged = !range.is_uniform();
+  if (load.ragged) load.cells_per_pixel = trace::mean_searched(range, valid).cells;
   return load;
 }
 
@@ -171,7 +174,7 @@ double usual_bytes(const Workload& load) {
 
 RunPlan plan_run(const RunTrace& trace, const PlanRequest& request) {
   const Workload& load = request.load;
-  PlanLedger ledger(static_cast<double>(program_memory()) + kProgramHeap +
+  PlanLedger ledger(static_cast<double>(program_memory()) + kProgramHeap + request.besides.held +
                     (request.truth ? kTruthBytesPerPixel * load.pixels() : 0));
   Walk(trace, request, ledger).run();
 

@@ -103,7 +103,7 @@ std::string text_of(Interval interval) {
 }
 
 DisparityRange read_range(const RangeMapFiles& files, Scene& scene) {
-  const cv::Size size = scene.pair.size();
+  const cv::Size size = scene.size();
   DisparityRange range = take(read_range_maps(files.min, files.max, files.no_data), scene.warnings);
   if (range.size() != size) {
     throw Error(files.min + ": is " + std::to_string(range.size().width) + " x " +
@@ -116,7 +116,7 @@ DisparityRange read_range(const RangeMapFiles& files, Scene& scene) {
 }
 
 DisparityRange make_range(const Search& search, Scene& scene) {
-  const cv::Size size = scene.pair.size();
+  const cv::Size size = scene.size();
   const Interval wanted = search.interval;
   const Interval possible = clip_to_width(wanted, size.width);
   if (possible.empty()) {
@@ -137,7 +137,7 @@ DisparityRange make_range(const Search& search, Scene& scene) {
 
 void read_truth(const TruthFiles& files, SceneInputs& inputs) {
   Scene& scene = inputs.scene;
-  GroundTruth truth = load_truth(files, scene.pair.size());
+  GroundTruth truth = load_truth(files, scene.size());
   if (truth.disparity.empty()) return;
   append(inputs.warnings, truth.warnings);  // also of a truth that turns out to be of no use
   require_judgeable(truth);
@@ -152,7 +152,7 @@ void check_calibration(const SceneFiles& files, const SceneRequest& request, Sce
   const std::string unused = "the calibration is not used: ";
   const std::string fault = fault_of(files, files.calibration_file);
   if (!fault.empty()) warnings.push_back(unused + fault);
-  const cv::Size size = scene.pair.size();
+  const cv::Size size = scene.size();
   if (!request.range_maps && !request.disparities) require_disparities_of_size(files, size);
   try {
     require_calibrated_size(files, size);
@@ -164,7 +164,9 @@ void check_calibration(const SceneFiles& files, const SceneRequest& request, Sce
 
 /// Also two files may hold one image.
 void check_images(const Scene& scene, std::vector<std::string>& warnings) {
-  if (!have_same_pixels(scene.pair.base, scene.pair.match)) return;
+  const bool same = scene.windows ? have_same_pixels(*scene.windows)
+                                  : have_same_pixels(scene.pair.base, scene.pair.match);
+  if (!same) return;
   warnings.push_back(
       "the left and the right image are the same: every disparity is 0; give both views");
 }
@@ -176,6 +178,22 @@ void read_truth_of_scene(const SceneFiles& files, SceneInputs& inputs) {
   } catch (const Error& error) {
     inputs.warnings.push_back("the scene's truth is not used: " + error.message());
   }
+}
+
+/// Maps are compared with a truth as a whole.
+void leave_truth(const SceneRequest& request, const SceneFiles& files,
+                 std::vector<std::string>& warnings) {
+  const TruthFiles& truth = request.truth ? *request.truth : files.truth;
+  if (files_of(truth).empty()) return;
+  warnings.push_back(
+      "the truth is not compared, as the images do not fit into memory as a whole; compare the map "
+      "with pipeline eval");
+}
+
+Scene scene_of(const SceneRequest& request) {
+  const auto* files = std::get_if<SceneFiles>(&request.scene);
+  if (files == nullptr) return std::get<Scene>(request.scene);
+  return request.scratch.empty() ? load_scene(*files) : open_scene(*files, request.scratch);
 }
 
 }  // namespace
@@ -213,7 +231,7 @@ SceneInputs read_scene(const SceneRequest& request, const Pipeline& pipeline) {
   const Stopwatch reading;
   const Search search = search_of(request, pipeline);
   const auto* files = std::get_if<SceneFiles>(&request.scene);
-  Scene scene = files != nullptr ? load_scene(*files) : std::get<Scene>(request.scene);
+  Scene scene = scene_of(request);
   std::vector<std::string> warnings;
   check_images(scene, warnings);
   if (files != nullptr) check_calibration(*files, request, scene, warnings);
@@ -222,7 +240,9 @@ SceneInputs read_scene(const SceneRequest& request, const Pipeline& pipeline) {
   warnings.insert(warnings.begin(), scene.warnings.begin(), scene.warnings.end());
   SceneInputs inputs{std::move(scene), std::move(range), search.from, request.memory_limit,
                      std::move(warnings)};
-  if (request.truth) {
+  if (inputs.scene.windows) {
+    leave_truth(request, *files, inputs.warnings);
+  } else if (request.truth) {
     read_truth(*request.truth, inputs);
   } else if (files != nullptr) {
     read_truth_of_scene(*files, inputs);

@@ -39,19 +39,19 @@ void guard(const Pipeline& pipeline, const MatchRequest& request, const SceneInp
 }  // namespace
 
 SceneRun match_scene(const Pipeline& pipeline, SceneInputs inputs, const RunOptions& options,
-                     const MatchPair& match) {
+                     const MatchScene& match) {
   std::vector<std::string> texts;
   Warnings warnings(texts);
   Observers observers;
   observers.add(warnings);
   if (options.observer != nullptr) observers.add(*options.observer);
   tell(inputs, observers);
-  const MatchRequest request{inputs.scene.pair, inputs.range, {}};
-  if (!match) guard(pipeline, request, inputs, options, observers);
   RunOptions observed = options;
   observed.observer = &observers;
+  const MatchRequest request{inputs.scene.pair, inputs.range, {}};
+  if (!match) guard(pipeline, request, inputs, options, observers);
   const Stopwatch matching;
-  MatchResult maps = match ? match(request, inputs, observed) : pipeline.run(request, observed);
+  MatchResult maps = match ? match(inputs, observed) : pipeline.run(request, observed);
   const double seconds = matching.seconds();
   return {.scene = std::move(inputs.scene),
           .disparities = inputs.range.hull(),

@@ -2,6 +2,7 @@
 #include "record/doubts.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "xgm/base/text.hpp"
 
@@ -30,16 +31,9 @@ double matched_share(const RunRecord& record) {
   return share_of(record, Status::matched) / (1 - share_of(record, Status::masked));
 }
 
-/// Of the matched pixels, the share within 1 px of `end`.
-double share_at(const DisparityMap& map, int end) {
-  const cv::Mat1b matched(map.status == static_cast<int>(Status::matched));
-  const cv::Mat1b near((map.disparity > end - 1.0) & (map.disparity < end + 1.0) & matched);
-  return cv::countNonZero(near) / std::max(1.0, static_cast<double>(cv::countNonZero(matched)));
-}
-
 }  // namespace
 
-std::vector<std::string> doubts(const DisparityMap& map, const RunRecord& record) {
+std::vector<std::string> doubts(const MapSummary& map, const RunRecord& record) {
   std::vector<std::string> texts;
   if (matched_share(record) < kFewMatched) {
     texts.push_back("only " + percent(matched_share(record)) +
@@ -50,8 +44,8 @@ std::vector<std::string> doubts(const DisparityMap& map, const RunRecord& record
   if (searched.size() < kShortest) return texts;
   const double many = std::max(kManyAtEnd, kManyOfFew / searched.size());
   const int last = searched.end - 1;
-  for (const int end : {searched.begin, last}) {
-    const double share = share_at(map, end);
+  for (const auto& [end, share] :
+       {std::pair(searched.begin, map.share_at_first()), {last, map.share_at_last()}}) {
     if (share < many) continue;
     texts.push_back(percent(share) + " of the matched disparities lie at " + std::to_string(end) +
                     ", where the search range " + std::to_string(searched.begin) + " to " +

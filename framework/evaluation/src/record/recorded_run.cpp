@@ -5,13 +5,13 @@
 #include <memory>
 
 #include "record/doubts.hpp"
+#include "record/kept_map.hpp"
 #include "xgm/base/memory.hpp"
 #include "xgm/base/parallel.hpp"
 #include "xgm/evaluation/report.hpp"
 #include "xgm/evaluation/run_folder.hpp"
 #include "xgm/evaluation/truth_doubts.hpp"
 #include "xgm/io/file.hpp"
-#include "xgm/io/outputs.hpp"
 #include "xgm/io/write_maps.hpp"
 #include "xgm/stage/observers.hpp"
 
@@ -63,18 +63,38 @@ class Watchers {
   Observers all;
 };
 
-Besides besides_of(const RecordRequest& request, cv::Size size) {
-  Besides besides{.after = bytes_to_write_maps(size)};
-  if (!request.report) return besides;
-  besides.level_pixel = LevelCollector::kBytesPerPixel;
-  besides.after += bytes_to_report(size);
-  return besides;
+void add_bytes_of_report(SceneInputs& inputs) {
+  inputs.besides.level_pixel = LevelCollector::kBytesPerPixel;
+  inputs.besides.after += bytes_to_report(inputs.scene.size());
+}
+
+/// What cannot be had without all of the images and the map.
+bool needs_whole(const RecordRequest& request, const SceneRequest& scene) {
+  return request.report || !request.explained.empty() || !request.dump.empty() ||
+         !request.depth.empty() || scene.truth || !std::holds_alternative<SceneFiles>(scene.scene);
+}
+
+/// Whether the images, the map and the truth are no matter beside the memory that is allowed.
+bool is_small(const SceneInputs& inputs) {
+  constexpr double kBytes = 60;  // of a pixel: both images in colour, the map, truths
+  return !inputs.memory_limit || kBytes * inputs.scene.size().area() <= *inputs.memory_limit / 2;
+}
+
+/// By windows if it is to be asked for parts; a truth of the scene is a reason to hold small ones.
+SceneInputs read_inputs(const Pipeline& pipeline, const SceneRequest& scene,
+                        const RecordRequest& request) {
+  if (!request.parts || needs_whole(request, scene)) return read_scene(scene, pipeline);
+  SceneRequest in_windows = scene;
+  in_windows.scratch = request.folder;
+  SceneInputs inputs = read_scene(in_windows, pipeline);
+  const bool has_truth = !files_of(std::get<SceneFiles>(scene.scene).truth).empty();
+  return has_truth && is_small(inputs) ? read_scene(scene, pipeline) : inputs;
 }
 
 void describe_run(RunRecord& record, const SceneRun& run, const Watchers& watchers) {
   record.scene = run.scene.name;
   record.inputs = run.scene.inputs;
-  record.size = run.scene.pair.size();
+  record.size = run.scene.size();
   record.disparities = run.disparities;
   record.disparities_from = run.disparities_from;
   record.reading_seconds = run.reading_seconds;
@@ -84,10 +104,10 @@ void describe_run(RunRecord& record, const SceneRun& run, const Watchers& watche
   record.dumps = watchers.dumper.files();
 }
 
-void describe_map(RunRecord& record, const SceneRun& run) {
+void describe_map(RunRecord& record, const SceneRun& run, const MapSummary& summary) {
   const DisparityMap& map = run.maps.forward;
-  record.valid_share = map.density();
-  record.status_shares = status_shares(map);
+  record.valid_share = summary.density();
+  record.status_shares = summary.status_shares();
   if (!run.scene.truth.disparity.empty()) {
     record.truth = evaluate_regions(map, run.scene.truth, {.deltas = usual_thresholds()});
   }
@@ -103,7 +123,8 @@ std::string failure_of(const RunRecord& record) {
 }
 
 /// What is told of the run beside what its stages said.
-void add_warnings(RecordedRun& result, const RecordRequest& request, Observer* observer) {
+void add_warnings(RecordedRun& result, const MapSummary& summary, const RecordRequest& request,
+                  Observer* observer) {
   std::vector<std::string> warnings;
   if (!request.dump.empty() && result.record.dumps.empty()) {
     warnings.push_back("--dump " + request.dump +
@@ -112,7 +133,7 @@ void add_warnings(RecordedRun& result, const RecordRequest& request, Observer* o
   if (result.failure.empty()) {
     const DisparityMap& map = result.run.maps.forward;
     for (const auto& found :
-         {doubts(map, result.record),
+         {doubts(summary, result.record),
           truth_doubts(map, result.run.scene.truth.disparity, result.record.disparities)}) {
       warnings.insert(warnings.end(), found.begin(), found.end());
     }
@@ -141,10 +162,10 @@ void write_report(const std::string& file, const RecordedRun& result, const Watc
 /// The map first: what fails later does not take it away. The record last: it tells that all is
 /// there.
 void write_files(RecordedRun& result, const RecordRequest& request, const Watchers& watchers,
-                 RunFolder& folder) {
+                 RunFolder& folder, KeptMap& kept) {
   folder.begin();
   const DisparityMap& map = result.run.maps.forward;
-  write_maps(request.folder, map);
+  kept.write(map);
   if (!result.depth.empty()) {
     const Scene& scene = result.run.scene;
     result.points = write_depth_files(result.depth, map, *scene.calibration, scene.pair.base);
@@ -161,9 +182,9 @@ void write_files(RecordedRun& result, const RecordRequest& request, const Watche
 }
 
 SceneRun match(const Pipeline& pipeline, SceneInputs inputs, const RunOptions& options,
-               const MatchPair& how, RunFolder& folder) {
+               const ChooseParts& parts, KeptMap& kept, RunFolder& folder) {
   try {
-    return match_scene(pipeline, std::move(inputs), options, how);
+    return kept.match(pipeline, std::move(inputs), options, parts);
   } catch (const Cancelled&) {
     folder.discard();
     throw;
@@ -179,15 +200,17 @@ RecordedRun record_scene(const Pipeline& pipeline, const SceneRequest& scene,
   RunFolder folder(request.folder, planned_files(request, depth),
                    files_read(pipeline, scene, request));
   request.tell("reading the images");
-  SceneInputs inputs = read_scene(scene, pipeline);
-  require_cameras_of_size(depth, scene, inputs.scene.pair.size());
-  inputs.besides = besides_of(request, inputs.scene.pair.size());
+  SceneInputs inputs = read_inputs(pipeline, scene, request);
+  require_cameras_of_size(depth, scene, inputs.scene.size());
+  KeptMap kept(request.folder);
+  kept.add_bytes(inputs);
+  if (request.report) add_bytes_of_report(inputs);
   Watchers watchers(request, inputs.scene, folder, options.observer);
   RunOptions watched = options;
   watched.observer = &watchers.all;
   request.tell("matching");
   RecordedRun result{
-      match(pipeline, std::move(inputs), watched, request.match, folder), {}, depth, 0, {}};
+      match(pipeline, std::move(inputs), watched, request.parts, kept, folder), {}, depth, 0, {}};
   request.tell("writing the results");
   RunRecord& record = result.record;
   record.pipeline_file = pipeline.file();
@@ -196,10 +219,10 @@ RecordedRun record_scene(const Pipeline& pipeline, const SceneRequest& scene,
   record.command_line = request.command_line;
   record.threads = options.threads > 0 ? options.threads : thread_count();
   describe_run(record, result.run, watchers);
-  describe_map(record, result.run);
+  describe_map(record, result.run, kept.summary());
   result.failure = failure_of(record);
-  add_warnings(result, request, options.observer);
-  write_files(result, request, watchers, folder);
+  add_warnings(result, kept.summary(), request, options.observer);
+  write_files(result, request, watchers, folder, kept);
   return result;
 }
 

@@ -13,4 +13,8 @@ namespace xgm {
 /// Their left and upper sides are multiples of `alignment`.
 XGM_API std::vector<cv::Rect> image_parts(cv::Size image, cv::Size largest, int alignment = 1);
 
+/// Bands of whole rows that cover an image once, from the top, for looks at all of it that hold
+/// little: of some megapixels. Each but the last has a multiple of `alignment` rows.
+XGM_API std::vector<cv::Rect> row_bands(cv::Size image, int alignment = 1);
+
 }  // namespace xgm

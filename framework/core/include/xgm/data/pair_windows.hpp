@@ -25,4 +25,7 @@ class XGM_API PairInMemory final : public PairWindows {
   ImagePair pair_;
 };
 
+/// Whether both images have the same values in all planes, bit for bit.
+XGM_API bool have_same_pixels(const PairWindows& pair);
+
 }  // namespace xgm

@@ -32,6 +32,9 @@ XGM_API cv::Vec3b status_colour(Status status);
 
 /// One colour per status, laid out alike, with a legend of names and shares below.
 XGM_API cv::Mat3b status_picture(const DisparityMap& map);
+/// The same of a part of the pixels, with the shares of all.
+XGM_API cv::Mat3b status_picture(const DisparityMap& map,
+                                 const std::array<double, kStatusCount>& shares);
 
 /// The grey levels of an image rounded to 8 bit; pixels without data are black.
 XGM_API cv::Mat3b picture(const Image& image);

@@ -2,6 +2,7 @@
 // Scenes: finds them in folders of data sets, and reads their images, masks and ground truth.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "xgm/data/disparity_range.hpp"
 #include "xgm/data/ground_truth.hpp"
 #include "xgm/data/image.hpp"
+#include "xgm/data/pair_windows.hpp"
 #include "xgm/data/scene_files.hpp"
 #include "xgm/io/file.hpp"
 #include "xgm/io/image_io.hpp"
@@ -28,12 +30,16 @@ struct InputFile {
 struct Scene {
   std::string name{};
   ImagePair pair{};
-  std::optional<Interval> disparities{};  ///< to be searched, if it is known
+  std::shared_ptr<const PairWindows> windows{};  ///< in place of the pair, if that is not held
+  double windows_bytes = 0;                      ///< of memory that these hold
+  std::optional<Interval> disparities{};         ///< to be searched, if it is known
   std::optional<Calibration> calibration{};
   GroundTruth truth{};
   std::vector<InputFile> inputs{};      ///< files that were read
   std::vector<std::string> notes{};     ///< what a reader should know about the images
   std::vector<std::string> warnings{};  ///< what is doubtful in the files
+
+  cv::Size size() const { return windows ? windows->size() : pair.size(); }
 };
 
 /// The scenes in `folder`, sorted by name. Opens no image. The data set is
@@ -72,6 +78,9 @@ XGM_API void require_disparities_of_size(const SceneFiles& scene, cv::Size size)
 
 /// Reads the images. Throws Error.
 XGM_API Scene load_scene(const SceneFiles& files);
+/// Looks at the images, which are read by windows (PairInFiles); temporary files are made in the
+/// folder `scratch`. Throws Error.
+XGM_API Scene open_scene(const SceneFiles& files, const std::string& scratch);
 
 /// Reads the ground truth of a scene whose images have this size. Maps without a file are empty.
 /// non_occluded is read from the mask, else derived from `visible`, else from both views by

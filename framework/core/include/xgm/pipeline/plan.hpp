@@ -67,6 +67,7 @@ struct PlannedStage {
 struct Besides {
   double level_pixel = 0;  ///< kept of each pixel of each level of a pyramid, until the end
   double after = 0;        ///< taken when the maps are there, to write files
+  double held = 0;         ///< from the beginning to the end
 };
 
 struct PlanRequest {
@@ -86,6 +87,9 @@ struct RunPlan {
 
 /// The question that a run asks of a pipeline, in numbers.
 XGM_API Workload workload_of(const MatchRequest& request, int threads);
+/// The same of images that are not held; `valid` of the base image may be empty.
+XGM_API Workload workload_of(const DisparityRange& range, int planes, const cv::Mat1b& valid,
+                             int threads);
 
 /// Runs nothing: the trace scaled to the request.
 XGM_API RunPlan plan_run(const RunTrace& trace, const PlanRequest& request);

@@ -32,6 +32,9 @@ struct SceneRequest {
   std::optional<RangeMapFiles> range_maps{};  ///< searched instead of any interval
   std::optional<TruthFiles> truth{};          ///< instead of the scene's own
   std::optional<double> memory_limit{};       ///< bytes that the process may take
+  /// If set, images in files are read by windows (Scene::windows), with temporary files in this
+  /// folder. No truth is read then.
+  std::string scratch{};
 };
 
 /// A request that has been read.

@@ -24,10 +24,18 @@ struct SceneRun {
   double matching_seconds = 0;
 };
 
-/// Matches a pair otherwise than as a whole, within the memory limit of the inputs if there is one
-/// (bytes of the process).
-using MatchPair = std::function<MatchResult(const MatchRequest& request, const SceneInputs& inputs,
-                                            const RunOptions& options)>;
+/// Is given each part of the map of the base view once.
+using TakePart = std::function<void(const cv::Rect& place, const DisparityMap& part)>;
+
+/// Matches a scene part by part.
+using MatchParts = std::function<void(const TakePart& take, const RunOptions& options)>;
+
+/// Says how a scene is matched in parts, within the memory limit of the inputs if there is one
+/// (bytes of the process). Empty if it is matched as a whole, which then keeps the limit.
+using ChooseParts = std::function<MatchParts(const SceneInputs& inputs, const RunOptions& options)>;
+
+/// Matches a scene, in place of guarding the memory and Pipeline::run().
+using MatchScene = std::function<MatchResult(const SceneInputs& inputs, const RunOptions& options)>;
 
 /// Reads the scene and matches it. The observer, if there is one, is also told of notes and
 /// warnings that belong to no stage, with an empty path. Throws UsageError for what is wrong before
@@ -36,9 +44,9 @@ using MatchPair = std::function<MatchResult(const MatchRequest& request, const S
 XGM_API SceneRun run_scene(const Pipeline& pipeline, const SceneRequest& request,
                            const RunOptions& options = {});
 
-/// The second half of it, for callers that look at the images before. With `match`, that is called
-/// in place of pipeline.run().
+/// The second half of it, for callers that look at the images before. A scene that is read by
+/// windows needs `match`.
 XGM_API SceneRun match_scene(const Pipeline& pipeline, SceneInputs inputs,
-                             const RunOptions& options = {}, const MatchPair& match = {});
+                             const RunOptions& options = {}, const MatchScene& match = {});
 
 }  // namespace xgm

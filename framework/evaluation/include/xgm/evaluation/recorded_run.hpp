@@ -27,8 +27,10 @@ struct RecordRequest {
   /// Files that the program has read for this run beside those of the scene and the pipeline, such
   /// as plugin files. Like those they are never replaced.
   std::vector<NamedFile> inputs{};
-  /// In place of pipeline.run().
-  MatchPair match{};
+  /// Asked, if set, whether and how the scene is matched in parts. Unless something is to be kept
+  /// for which the whole is needed (reports, explanations, dumps, depths, a truth), the images are
+  /// then read and the map is written part by part, and neither is in RecordedRun::run.
+  ChooseParts parts{};
   /// Told what is done now ("reading the images").
   std::function<void(const std::string&)> tell = [](const std::string&) {};
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes in memory matched in tiles: what `pipeline run --tiles` does.
+// Scenes matched in tiles: what `pipeline run --tiles` and --memory-limit do.
 #pragma once
 
 #include <optional>
@@ -9,13 +9,16 @@
 
 namespace xgm::tiles {
 
-/// The largest square tiles whose run stays within `limit` bytes of the process, of which `held`
-/// are taken by what is kept of the whole scene. Throws UsageError if not even small ones do.
-XGM_API TileOptions fitting_tiles(const Pipeline& pipeline, const MatchRequest& request,
-                                  double held, double limit, const RunOptions& options);
+/// The largest square tiles whose run stays within `limit` bytes of the process. Throws UsageError
+/// if not even small ones do.
+XGM_API TileOptions fitting_tiles(const Pipeline& pipeline, const TiledRequest& request,
+                                  const Besides& besides, double limit, const RunOptions& options);
 
-/// For RecordRequest::match and match_scene(): in tiles of the given size, or without one of a size
-/// that fits the scene's memory limit, else what is free. `pipeline` outlives the result.
-XGM_API MatchPair in_tiles(const Pipeline& pipeline, std::optional<cv::Size> size);
+/// In tiles of the given size, or without one of a size that fits the scene's memory limit, else
+/// what is free. `pipeline` outlives the result.
+XGM_API ChooseParts in_tiles(const Pipeline& pipeline, std::optional<cv::Size> size);
+
+/// In tiles only if the scene as a whole does not fit its memory limit.
+XGM_API ChooseParts in_tiles_if_needed(const Pipeline& pipeline);
 
 }  // namespace xgm::tiles

@@ -2,12 +2,11 @@
 // Matches a pair in tiles: memory is that of one tile, whatever the size of the images.
 #pragma once
 
-#include <functional>
 #include <memory>
 
 #include "xgm/base/export.hpp"
 #include "xgm/data/pair_windows.hpp"
-#include "xgm/pipeline/pipeline.hpp"
+#include "xgm/pipeline/scene_run.hpp"
 
 namespace xgm::tiles {
 
@@ -27,12 +26,9 @@ struct TiledRequest {
   DisparityRange range;
 };
 
-/// Is given each part of the map of the base view once, tile by tile.
-using TakePart = std::function<void(const cv::Rect& place, const DisparityMap& part)>;
-
-/// A pyramid's levels above the tiles are matched as one image; each tile then goes on from its
-/// part of their maps. Results are the same for any number of threads. The observer is told of the
-/// stages of each tile. Throws what Pipeline::run() throws.
+/// `take` is given the parts tile by tile. A pyramid's levels above the tiles are matched as one
+/// image; each tile then goes on from its part of their maps. Results are the same for any number
+/// of threads. The observer is told of the stages of each tile. Throws what Pipeline::run() throws.
 XGM_API void run_in_tiles(const Pipeline& pipeline, const TiledRequest& request,
                           const TileOptions& tiles, const TakePart& take,
                           const RunOptions& options = {});

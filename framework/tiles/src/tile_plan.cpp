@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tile_plan.hpp"
+
+#include <algorithm>
+
+#include "coarse_maps.hpp"
+#include "reduced_pair.hpp"
+#include "xgm/base/parallel.hpp"
+#include "xgm/data/interval_mapping.hpp"
+
+namespace xgm::tiles {
+namespace {
+
+constexpr double kMapBytes = 5;
+
+/// The question at a size that does not matter beside what is planned; RunTrace makes it half as
+/// large.
+MatchRequest small_request(const TiledRequest& request) {
+  constexpr double kPixels = 1.6e6;
+  const cv::Size size = request.pair->size();
+  int scale = 1;
+  while (double{1} * size.width * size.height / scale / scale > kPixels) scale *= 2;
+  ImagePair pair = reduced_pair(*request.pair, scale);
+  const Interval range = divided(request.range.hull(), scale);
+  const cv::Size small = pair.size();
+  return {std::move(pair), DisparityRange::uniform(small, range), std::nullopt};
+}
+
+Workload load_of(const MatchRequest& small, const TiledRequest& request,
+                 const RunOptions& options) {
+  const int threads = options.threads > 0 ? options.threads : thread_count();
+  const Workload reduced = workload_of(small, threads);
+  Workload load = workload_of(request.range, reduced.planes, {}, threads);
+  load.masked = reduced.masked;
+  load.used = reduced.used;
+  return load;
+}
+
+}  // namespace
+
+TilePlan::TilePlan(const Pipeline& pipeline, const TiledRequest& request, const Besides& besides,
+                   const RunOptions& options)
+    : TilePlan(pipeline, small_request(request), request, besides, options) {}
+
+TilePlan::TilePlan(const Pipeline& pipeline, const MatchRequest& small, const TiledRequest& request,
+                   const Besides& besides, const RunOptions& options)
+    : pipeline_(pipeline),
+      load_(load_of(small, request, options)),
+      trace_(RunTrace::of_memory(pipeline, small, options)),
+      besides_(besides) {
+  besides_.held += static_cast<double>(request.range.bytes());
+}
+
+double TilePlan::bytes_of(cv::Size size, Interval range, double held) const {
+  PlanRequest request{.load = load_, .besides = besides_};
+  request.load.size = size;
+  request.load.range = range;
+  request.load.cells_per_pixel = std::min(load_.cells_per_pixel, Workload::room(range.size()));
+  request.besides.held += held;
+  return plan_run(trace_, request).peak_bytes;
+}
+
+double TilePlan::bytes(const TileOptions& tiles) const {
+  const int scale = coarse_scale(pipeline_, load_.size, tiles);
+  const cv::Size coarse(reduced(load_.size.width, scale), reduced(load_.size.height, scale));
+  // Columns in which the other view may show the pixels of the tile are read and matched, too.
+  const int aside = 2 * (tiles.halo + load_.range.size());
+  const cv::Size tile(std::min(load_.size.width, tiles.size.width + aside),
+                      std::min(load_.size.height, tiles.size.height + 2 * tiles.halo));
+  if (scale == 1) return bytes_of(tile, load_.range, 0);
+  const double coarse_maps = 2 * kMapBytes * coarse.width * coarse.height;
+  return std::max(bytes_of(tile, load_.range, coarse_maps),
+                  bytes_of(coarse, divided(load_.range, scale), 0));
+}
+
+double TilePlan::bytes_of_whole(const Besides& besides, bool truth) const {
+  return plan_run(trace_, {.load = load_, .truth = truth, .besides = besides}).peak_bytes;
+}
+
+}  // namespace xgm::tiles
