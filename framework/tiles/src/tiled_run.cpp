@@ -4,6 +4,7 @@
 #include "coarse_maps.hpp"
 #include "stereo_family.hpp"
 #include "tiles_as_one.hpp"
+#include "xgm/base/memory.hpp"
 #include "xgm/data/crop.hpp"
 #include "xgm/data/image_parts.hpp"
 #include "xgm/tiles/tiling.hpp"
@@ -46,6 +47,7 @@ class TiledRun {
     request_.pair = prepared(pipeline_, request_, watched);
     observer.next(kBeforeTiles / 2, kBeforeTiles, false);
     coarse_ = match_coarse(pipeline_, request_, tiles_, watched);
+    trim_heap();
     const std::vector<cv::Rect> all = image_parts(request_.pair->size(), tiles_.size, alignment());
     for (std::size_t i = 0; i < all.size(); ++i) {
       const double each = (1 - kBeforeTiles) / static_cast<double>(all.size());

@@ -35,7 +35,7 @@ std::vector<cv::Rect> image_parts(cv::Size image, cv::Size largest, int alignmen
 
 std::vector<cv::Rect> row_bands(cv::Size image, int alignment) {
   // Files are decoded in tiles, of which these rows are a multiple nearly always.
-  constexpr int kTileRows = 256, kPixels = 1 << 22, kWide = kPixels / kTileRows * 4;
+  constexpr int kTileRows = 256, kPixels = 1 << 20, kWide = kPixels / kTileRows * 8;
   int rows = kPixels / std::max(1, image.width);
   if (image.width <= kWide) rows = std::max(kTileRows, rows / kTileRows * kTileRows);
   rows = std::max(alignment, rows / alignment * alignment);

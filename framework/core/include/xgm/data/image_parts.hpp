@@ -14,7 +14,7 @@ namespace xgm {
 XGM_API std::vector<cv::Rect> image_parts(cv::Size image, cv::Size largest, int alignment = 1);
 
 /// Bands of whole rows that cover an image once, from the top, for looks at all of it that hold
-/// little: of some megapixels. Each but the last has a multiple of `alignment` rows.
+/// little: of a megapixel or a few. Each but the last has a multiple of `alignment` rows.
 XGM_API std::vector<cv::Rect> row_bands(cv::Size image, int alignment = 1);
 
 }  // namespace xgm
