@@ -109,7 +109,8 @@ TEST_CASE("plan: mistakes are exit 2") {
 
 TEST_CASE("run: --memory-limit refuses before any work, and says what to change") {
   const Desk desk;
-  const Outcome dense = desk.call("run sgm8 scene --memory-limit 150MB");
+  // Tiles do not help where the results of stages are kept.
+  const Outcome dense = desk.call("run sgm8 scene --dump '*' --memory-limit 150MB");
   check_usage(dense, "--memory-limit allows 150 MB");
   CHECK(contains(dense.errors, "search at most "));
   CHECK(contains(dense.errors, "take a pyramid pipeline"));
@@ -125,8 +126,7 @@ TEST_CASE("run: --memory-limit refuses before any work, and says what to change"
               "800MB, 2.5GB");
   check_usage(desk.call("explain sgm8 scene 10 10 --memory-limit 150MB"), "search at most ");
   const Outcome nothing = desk.call("run sgm8 scene --memory-limit 1MB");
-  check_usage(nothing, "match smaller images, or raise the limit");
-  CHECK_FALSE(contains(nothing.errors, "disparities, "));
+  check_usage(nothing, "raise --memory-limit, search fewer disparities");
   for (const char* size : {"1.5GB", "2G", "2gb", "'800 MiB'", "1g"}) {
     CAPTURE(size);
     CHECK(desk.call(std::string("run tsgm8 scene --log-level error --memory-limit ") + size)
