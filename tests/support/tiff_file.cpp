@@ -73,7 +73,8 @@ void write_rows(TIFF* tiff, const cv::Mat& pixels, std::uint16_t band) {
 
 void write_tiff(const std::string& file, const std::vector<cv::Mat>& bands,
                 const TiffStyle& style) {
-  const std::unique_ptr<TIFF, void (*)(TIFF*)> tiff(TIFFOpen(file.c_str(), style.big ? "w8" : "w"), TIFFClose);
+  const std::unique_ptr<TIFF, void (*)(TIFF*)> tiff(TIFFOpen(file.c_str(), style.big ? "w8" : "w"),
+                                                    TIFFClose);
   REQUIRE(tiff != nullptr);
   write_tags(tiff.get(), bands, style);
   cv::Mat together;

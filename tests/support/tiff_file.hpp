@@ -13,7 +13,7 @@ struct TiffStyle {
   bool bands_apart = false;
   bool tiled = false;
   bool compressed = false;
-  bool big = false;  ///< BigTIFF
+  bool big = false;        ///< BigTIFF
   bool has_alpha = false;  ///< the last band is alpha
   bool white_is_zero = false;
   int orientation = 1;

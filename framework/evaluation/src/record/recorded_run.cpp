@@ -74,10 +74,11 @@ bool needs_whole(const RecordRequest& request, const SceneRequest& scene) {
          !request.depth.empty() || scene.truth || !std::holds_alternative<SceneFiles>(scene.scene);
 }
 
-/// Whether the images, the map and the truth are no matter beside the memory that is allowed.
+/// Whether the images, the map and the truth can be held beside what is matched. Runs that fit as a
+/// whole take more than that of each pixel.
 bool is_small(const SceneInputs& inputs) {
-  constexpr double kBytes = 60;  // of a pixel: both images in colour, the map, truths
-  return !inputs.memory_limit || kBytes * inputs.scene.size().area() <= *inputs.memory_limit / 2;
+  constexpr double kBytes = 60;
+  return !inputs.memory_limit || kBytes * inputs.scene.size().area() <= *inputs.memory_limit;
 }
 
 /// By windows if it is to be asked for parts; a truth of the scene is a reason to hold small ones.
