@@ -20,5 +20,6 @@ void add_synth(CommandLine& line);
 void add_explain(CommandLine& line);
 void add_plan(CommandLine& line);
 void add_speed(CommandLine& line);
+void add_tiles(CommandLine& line);
 
 }  // namespace xgm::cli

@@ -56,6 +56,7 @@ int main(int argc, char** argv) {
   add_explain(line);
   add_plan(line);
   add_speed(line);
+  add_tiles(line);
   try {
     if (const char* target = std::getenv("XGM_SIMD")) simd.emplace(target);
     return finish(line.run());

@@ -78,6 +78,14 @@ void require_named_images(const std::vector<std::string>& arguments, const CLI::
   }
 }
 
+/// --help and the like, which stand before a subcommand, or in place of it.
+void require_option_without_subcommand(const std::string& argument, const CLI::App& command) {
+  const std::vector<std::string> known = option_names(command);
+  if (std::ranges::find(known, argument) != known.end()) return;
+  throw UsageError("the subcommand comes first, its options behind it: pipeline run " + argument +
+                   " ...; see pipeline --help");
+}
+
 }  // namespace
 
 CommandLine::CommandLine(int argc, char** argv)
@@ -92,32 +100,40 @@ CommandLine::CommandLine(int argc, char** argv)
 
 CommandLine::~CommandLine() = default;
 
+void CommandLine::add_group(const std::string& name, const std::string& help) {
+  app_->add_subcommand(name, help)->require_subcommand(1);
+}
+
 Command CommandLine::add(const std::string& name, const std::string& help,
                          std::function<int()> body) {
-  CLI::App* command = app_->add_subcommand(name, help);
+  const std::size_t blank = name.find(' ');
+  CLI::App* const group =
+      blank == std::string::npos ? app_.get() : app_->get_subcommand(name.substr(0, blank));
+  CLI::App* const command = group->add_subcommand(name.substr(blank + 1), help);
   command->callback([this, body = std::move(body)] { exit_code_ = body(); });
   return Command(command);
 }
 
 /// A misspelt name is told before the parser complains of what follows from it.
 void CommandLine::require_known_names() const {
-  if (arguments_.empty()) return;
-  const std::string& first = arguments_.front();
-  if (first.starts_with('-')) {
-    const std::vector<std::string> known = option_names(*app_);
-    if (std::ranges::find(known, first) != known.end()) return;
-    throw UsageError("the subcommand comes first, its options behind it: pipeline run " + first +
-                     " ...; see pipeline --help");
+  const CLI::App* command = app_.get();
+  for (auto name = arguments_.begin(); !command->get_subcommands({}).empty(); ++name) {
+    if (name == arguments_.end()) return;
+    if (name->starts_with('-')) {
+      require_option_without_subcommand(*name, *command);
+      return;
+    }
+    std::vector<std::string> known;
+    for (const CLI::App* sub : command->get_subcommands({})) known.push_back(sub->get_name());
+    require_name("subcommand", *name, known);
+    command = command->get_subcommand(*name);
   }
-  std::vector<std::string> subcommands;
-  for (const CLI::App* known : app_->get_subcommands({})) subcommands.push_back(known->get_name());
-  require_name("subcommand", first, subcommands);
-  const std::vector<std::string> options = option_names(*app_->get_subcommand(first));
+  const std::vector<std::string> options = option_names(*command);
   for (const std::string& argument : arguments_) {
     if (argument == "--") return;
     require_option(argument, options);
   }
-  require_named_images(arguments_, *app_->get_subcommand(first));
+  require_named_images(arguments_, *command);
 }
 
 int CommandLine::run() {

@@ -23,7 +23,11 @@ class CommandLine {
   CommandLine(const CommandLine&) = delete;
   CommandLine& operator=(const CommandLine&) = delete;
 
-  /// Adds a subcommand; `body` does its work and returns the exit code.
+  /// A subcommand that is followed by one of its own ("tiles plan").
+  void add_group(const std::string& name, const std::string& help);
+
+  /// Adds a subcommand, that of a group as "GROUP NAME"; `body` does its work and returns the exit
+  /// code.
   Command add(const std::string& name, const std::string& help, std::function<int()> body);
 
   /// Without the program's name.

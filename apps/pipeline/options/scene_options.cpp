@@ -107,9 +107,12 @@ void add_truth(Command command, SceneOptions& options) {
 
 void add_surroundings(Command command, SceneOptions& options) {
   add_plugin_options(command, options.plugins);
+  add_log_level_option(command, options.log_level);
+}
+
+void add_log_level_option(Command command, std::string& level) {
   command
-      .option("--log-level", options.log_level,
-              "debug, info, warning or error; progress is shown down to info")
+      .option("--log-level", level, "debug, info, warning or error; progress is shown down to info")
       .type_name("L")
       .one_of({"debug", "info", "warning", "error"})
       .show_default();

@@ -50,6 +50,8 @@ void add_matching(Command command, SceneOptions& options);
 void add_truth(Command command, SceneOptions& options);
 /// Plugins and messages.
 void add_surroundings(Command command, SceneOptions& options);
+/// --log-level.
+void add_log_level_option(Command command, std::string& level);
 
 /// --dataset, for commands that take folders of scenes.
 Option add_dataset_option(Command command, std::string& dataset);

@@ -99,4 +99,18 @@ double parse_bytes(const std::string& text, const std::string& option) {
   return bytes;
 }
 
+std::optional<cv::Size> parse_tiles(const std::string& text) {
+  if (text == "auto") return std::nullopt;
+  const std::size_t by = std::min(text.find('x'), text.size());
+  const auto width = parse_whole(std::string_view(text).substr(0, by));
+  const auto height =
+      by < text.size() ? parse_whole(std::string_view(text).substr(by + 1)) : std::optional<int>();
+  constexpr int kSmallest = 64;
+  if (!width || !height || *width < kSmallest || *height < kSmallest) {
+    throw UsageError("--tiles " + text + ": write auto, or WIDTHxHEIGHT in px, each at least " +
+                     std::to_string(kSmallest) + ", for example 2000x2000");
+  }
+  return cv::Size(*width, *height);
+}
+
 }  // namespace xgm::cli

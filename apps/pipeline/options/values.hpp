@@ -2,6 +2,7 @@
 // Numbers as the command line gives them: all of the text must be the value.
 #pragma once
 
+#include <opencv2/core/types.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,5 +29,8 @@ Interval parse_disparities(const std::string& text, const std::string& option = 
 
 /// "2.5GB", "800 MB", "1GiB", "2g" as bytes. Throws UsageError, which names the option.
 double parse_bytes(const std::string& text, const std::string& option);
+
+/// "2000x1000", px; "auto": empty. Throws UsageError.
+std::optional<cv::Size> parse_tiles(const std::string& text);
 
 }  // namespace xgm::cli

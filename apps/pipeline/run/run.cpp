@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // pipeline run: match a pair of images.
-#include <algorithm>
 #include <memory>
 
 #include "commands.hpp"
 #include "options/pixels.hpp"
 #include "options/scene_request.hpp"
+#include "options/values.hpp"
 #include "run/run_options.hpp"
 #include "run/run_surface.hpp"
 #include "run/summary.hpp"
@@ -13,7 +13,6 @@
 #include "terminal/observer.hpp"
 #include "terminal/stop_on_signal.hpp"
 #include "xgm/base/memory.hpp"
-#include "xgm/base/scalar.hpp"
 #include "xgm/evaluation/recorded_run.hpp"
 #include "xgm/tiles/in_tiles.hpp"
 
@@ -40,16 +39,7 @@ ChooseParts parts(const RunCommandOptions& options, const Pipeline& pipeline) {
         "--tiles: the results of stages are not kept; leave out --dump and --explain, or "
         "match a part of the images as a whole");
   }
-  if (text == "auto") return tiles::in_tiles(pipeline, std::nullopt);
-  const std::size_t by = std::min(text.find('x'), text.size() - 1);
-  const auto width = to_number<int>(text.substr(0, by));
-  const auto height = to_number<int>(text.substr(by + 1));
-  constexpr int kSmallest = 64;
-  if (!width || !height || *width < kSmallest || *height < kSmallest) {
-    throw UsageError("--tiles " + text + ": write auto, or WIDTHxHEIGHT in px, each at least " +
-                     std::to_string(kSmallest) + ", for example 2000x2000");
-  }
-  return tiles::in_tiles(pipeline, cv::Size(*width, *height));
+  return tiles::in_tiles(pipeline, parse_tiles(text));
 }
 
 int run_checked(const Pipeline& pipeline, const SceneRequest& scene, const RecordRequest& request,

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "xgm/tiles/in_tiles.hpp"
 
-#include <algorithm>
-
-#include "tile_plan.hpp"
+#include "choose_tiles.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/base/memory.hpp"
 #include "xgm/base/text.hpp"
@@ -11,44 +9,6 @@
 
 namespace xgm::tiles {
 namespace {
-
-constexpr int kSmallestTile = 256;  // below, most of what is matched is halo
-
-std::string text(cv::Size size) {
-  return std::to_string(size.width) + " x " + std::to_string(size.height) + " px";
-}
-
-/// No more is matched at once in the coarse levels than in a tile.
-TileOptions tiles_of(cv::Size size) {
-  TileOptions tiles;
-  tiles.size = size;
-  tiles.coarse_pixels = std::min(tiles.coarse_pixels, double{1} * size.width * size.height);
-  return tiles;
-}
-
-TileOptions fitting(const TilePlan& plan, cv::Size whole, double limit) {
-  for (int side = std::max(whole.width, whole.height);; side = side * 3 / 4) {
-    const TileOptions tiles = tiles_of({side, side});
-    const double bytes = plan.bytes(tiles);
-    if (bytes <= limit) return tiles;
-    if (side > kSmallestTile) continue;
-    throw UsageError("images of " + text(whole) + " take " + bytes_text(bytes) +
-                     " even in tiles of " + text(tiles.size) + ", and --memory-limit allows " +
-                     bytes_text(limit) +
-                     "; raise --memory-limit, search fewer disparities, or match a part of the "
-                     "images");
-  }
-}
-
-/// Throws UsageError if tiles of this size do not fit the limit.
-TileOptions checked(const TilePlan& plan, cv::Size size, double limit) {
-  const TileOptions tiles = tiles_of(size);
-  const double bytes = plan.bytes(tiles);
-  if (bytes <= limit) return tiles;
-  throw UsageError("tiles of " + text(size) + " take " + bytes_text(bytes) +
-                   ", and --memory-limit allows " + bytes_text(limit) +
-                   "; give smaller ones, or --tiles auto");
-}
 
 TiledRequest request_of(const SceneInputs& inputs) {
   const Scene& scene = inputs.scene;
@@ -89,7 +49,7 @@ MatchParts match_in(const Pipeline& pipeline, TiledRequest request, const TileOp
                     const std::string& reason, const RunOptions& options) {
   if (options.observer != nullptr) {
     options.observer->log(LogLevel::info, {},
-                          reason + "matched in tiles of up to " + text(tiles.size));
+                          reason + "matched in tiles of up to " + size_text(tiles.size));
   }
   return [&pipeline, request = std::move(request), tiles](const TakePart& take,
                                                           const RunOptions& watched) {
@@ -109,7 +69,7 @@ ChooseParts in_tiles(const Pipeline& pipeline, std::optional<cv::Size> size) {
     TiledRequest request = request_of(inputs);
     TileOptions tiles;
     if (size && !inputs.memory_limit) {
-      tiles = tiles_of(*size);
+      tiles = tiles_of_size(*size);
     } else {
       const TilePlan plan(pipeline, request, besides_of(inputs), options);
       const double limit = inputs.memory_limit.value_or(free_bytes());

@@ -44,42 +44,55 @@ Workload load_of(const MatchRequest& small, const TiledRequest& request,
 }  // namespace
 
 TilePlan::TilePlan(const Pipeline& pipeline, const TiledRequest& request, const Besides& besides,
-                   const RunOptions& options)
-    : TilePlan(pipeline, small_request(request), request, besides, options) {}
+                   const RunOptions& options, PlanOf what)
+    : TilePlan(pipeline, small_request(request), request, besides, options, what) {}
 
 TilePlan::TilePlan(const Pipeline& pipeline, const MatchRequest& small, const TiledRequest& request,
-                   const Besides& besides, const RunOptions& options)
+                   const Besides& besides, const RunOptions& options, PlanOf what)
     : pipeline_(pipeline),
       load_(load_of(small, request, options)),
-      trace_(RunTrace::of_memory(pipeline, small, options)),
+      trace_(what == PlanOf::memory ? RunTrace::of_memory(pipeline, small, options)
+                                    : RunTrace::of_reduced(pipeline, small, options)),
       besides_(besides) {
   besides_.held += static_cast<double>(request.range.bytes());
   trim_heap();  // or what the small run and the looks at the images leave counts twice
 }
 
-double TilePlan::bytes_of(cv::Size size, Interval range, double held) const {
+RunPlan TilePlan::plan_of(cv::Size size, Interval range, double held) const {
   PlanRequest request{.load = load_, .besides = besides_};
   request.load.size = size;
   request.load.range = range;
   request.load.cells_per_pixel = std::min(load_.cells_per_pixel, Workload::room(range.size()));
   request.besides.held += held;
-  return plan_run(trace_, request).peak_bytes;
+  return plan_run(trace_, request);
 }
 
-double TilePlan::bytes(const TileOptions& tiles) const {
-  const int scale = coarse_scale(pipeline_, load_.size, tiles);
-  const cv::Size coarse(reduced(load_.size.width, scale), reduced(load_.size.height, scale));
+int TilePlan::scale_of(const TileOptions& tiles) const {
+  return coarse_scale(pipeline_, load_.size, tiles);
+}
+
+RunPlan TilePlan::tile(const TileOptions& tiles) const {
+  const int scale = scale_of(tiles);
   // Columns in which the other view may show the pixels of the tile are read and matched, too.
   const int aside = 2 * (tiles.halo + load_.range.size());
   const cv::Size tile(std::min(load_.size.width, tiles.size.width + aside),
                       std::min(load_.size.height, tiles.size.height + 2 * tiles.halo));
   const double ranges =
       pipeline_.accepts_range_maps() ? 2 * kRangeBytes * tile.width * tile.height : 0;
-  const double beside = kLeftByTiles + ranges;
-  if (scale == 1) return bytes_of(tile, load_.range, beside);
-  const double coarse_maps = 2 * kMapBytes * coarse.width * coarse.height;
-  return std::max(bytes_of(tile, load_.range, beside + coarse_maps),
-                  bytes_of(coarse, divided(load_.range, scale), 0));
+  const double coarse_maps =
+      scale == 1 ? 0 : 2 * kMapBytes * load_.size.width * load_.size.height / scale / scale;
+  return plan_of(tile, load_.range, kLeftByTiles + ranges + coarse_maps);
+}
+
+RunPlan TilePlan::coarse(const TileOptions& tiles) const {
+  const int scale = scale_of(tiles);
+  return plan_of({reduced(load_.size.width, scale), reduced(load_.size.height, scale)},
+                 divided(load_.range, scale), 0);
+}
+
+double TilePlan::bytes(const TileOptions& tiles) const {
+  const double of_tile = tile(tiles).peak_bytes;
+  return scale_of(tiles) == 1 ? of_tile : std::max(of_tile, coarse(tiles).peak_bytes);
 }
 
 double TilePlan::bytes_of_whole(const Besides& besides, bool truth) const {

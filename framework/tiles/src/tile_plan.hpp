@@ -7,12 +7,18 @@
 
 namespace xgm::tiles {
 
+/// Seconds cost one more small run, and a look at the speed of the machine.
+enum class PlanOf { memory, memory_and_seconds };
+
 class TilePlan {
  public:
   /// Watches a small run of the scene.
   TilePlan(const Pipeline& pipeline, const TiledRequest& request, const Besides& besides,
-           const RunOptions& options);
+           const RunOptions& options, PlanOf what = PlanOf::memory);
 
+  /// Of one tile of the largest size, and of the coarse levels, of which there may be none.
+  RunPlan tile(const TileOptions& tiles) const;
+  RunPlan coarse(const TileOptions& tiles) const;
   /// The most that is taken at a time: for a tile, for the coarse levels, or after them.
   double bytes(const TileOptions& tiles) const;
   /// The same of a run without tiles.
@@ -20,8 +26,9 @@ class TilePlan {
 
  private:
   TilePlan(const Pipeline& pipeline, const MatchRequest& small, const TiledRequest& request,
-           const Besides& besides, const RunOptions& options);
-  double bytes_of(cv::Size size, Interval range, double held) const;
+           const Besides& besides, const RunOptions& options, PlanOf what);
+  RunPlan plan_of(cv::Size size, Interval range, double held) const;
+  int scale_of(const TileOptions& tiles) const;
 
   const Pipeline& pipeline_;
   Workload load_;  ///< of the whole

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "xgm/io/stored_map.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "io/raster.hpp"
+#include "xgm/base/error.hpp"
+#include "xgm/io/image_io.hpp"
+#include "xgm/io/pfm.hpp"
+
+namespace xgm {
+namespace {
+
+std::string disparities_file(const std::string& name) { return name + ".pfm"; }
+std::string status_file(const std::string& name) { return name + "_status.png"; }
+
+}  // namespace
+
+std::vector<std::string> write_stored_map(const std::string& folder, const std::string& name,
+                                          const DisparityMap& map) {
+  const std::filesystem::path path(folder);
+  write_pfm((path / disparities_file(name)).string(), map.disparity);
+  write_png((path / status_file(name)).string(), map.status);
+  return {disparities_file(name), status_file(name)};
+}
+
+DisparityMap read_stored_map(const std::string& folder, const std::string& name) {
+  const std::filesystem::path path(folder);
+  const std::string file = (path / status_file(name)).string();
+  DisparityMap map;
+  map.disparity = read_pfm((path / disparities_file(name)).string());
+  const StoredImage stored = read_stored(file);
+  const bool is_status = stored.channels.size() == 1 && stored.channels[0].type() == CV_8U &&
+                         stored.channels[0].size() == map.disparity.size();
+  if (is_status) map.status = stored.channels[0];
+  if (!is_status || std::any_of(map.status.begin(), map.status.end(),
+                                [](std::uint8_t value) { return value >= kStatusCount; })) {
+    throw Error(file + ": does not hold the status of each pixel of " + disparities_file(name) +
+                "; remove both, and run again what made them");
+  }
+  return map;
+}
+
+}  // namespace xgm

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// A pair that is matched in tiles, step by step: the coarse levels, then any tile by itself.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "coarse_maps.hpp"
+#include "xgm/tiles/tiled_run.hpp"
+#include "xgm/tiles/tiling.hpp"
+
+namespace xgm::tiles {
+
+class TiledMatch {
+ public:
+  /// The pipeline outlives it.
+  TiledMatch(const Pipeline& pipeline, TiledRequest request, const TileOptions& tiles)
+      : pipeline_(pipeline), request_(std::move(request)), tiles_(tiles) {}
+
+  /// Fits what is fitted to the whole images. Comes first.
+  void prepare(const RunOptions& options);
+
+  /// Whether there are coarse levels, which have to be matched or given before any tile.
+  bool has_coarse() const;
+  void match_coarse(const RunOptions& options);
+  void use(MatchResult coarse);
+  const MatchResult& coarse() const { return coarse_->maps; }
+
+  /// The tiles' parts of the map.
+  std::vector<cv::Rect> parts() const;
+  DisparityMap match(const cv::Rect& part, const RunOptions& options) const;
+
+ private:
+  MatchRequest request_of(const Surroundings& around, Interval hull) const;
+  DisparityRange reverse_range(const Surroundings& around, Interval hull) const;
+
+  const Pipeline& pipeline_;
+  TiledRequest request_;
+  TileOptions tiles_;
+  std::optional<CoarseMaps> coarse_;
+};
+
+}  // namespace xgm::tiles

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+// Jobs in any order beside one process that matches the same tiles.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "support/support.hpp"
+#include "support/temporary_folder.hpp"
+#include "xgm/io/file.hpp"
+#include "xgm/io/image_io.hpp"
+#include "xgm/io/map_in_parts.hpp"
+#include "xgm/io/outputs.hpp"
+#include "xgm/io/pfm.hpp"
+#include "xgm/io/stored_map.hpp"
+#include "xgm/io/write_maps.hpp"
+#include "xgm/pipeline/lookup.hpp"
+#include "xgm/synthesis/plain_scene.hpp"
+#include "xgm/tiles/jobs.hpp"
+
+using namespace xgm;
+using namespace xgm::tiles;
+using xgm::testing::builtins;
+using xgm::testing::contains;
+using xgm::testing::error_of;
+using xgm::testing::identical;
+using xgm::testing::TemporaryFolder;
+
+namespace {
+
+/// A pair in files, and the manifest of its jobs.
+struct Desk : TemporaryFolder {
+  explicit Desk(const std::string& pipeline_name)
+      : pipeline(
+            require_pipeline(XGM_SOURCE_DIR "/pipelines/" + pipeline_name + ".yaml", builtins())) {
+    const auto scene = synthesis::generate_plain(
+        {.size = {261, 171}, .disparities = {-6, 34}, .seed = 3, .noise = 2});
+    files.images = {.left = *this / "left.png", .right = *this / "right.png"};
+    write_png(files.images.left, picture(scene.pair.base));
+    write_png(files.images.right, picture(scene.pair.match));
+    files.name = "generated";
+    request.scene = files;
+    request.disparities = Interval{-6, 34};
+    request.scratch = path();
+    manifest = plan_jobs(pipeline, read_scene(request, pipeline), files.images, cv::Size(128, 96),
+                         *this / "work/manifest.json", {.threads = 1});
+    write_manifest(manifest);
+  }
+
+  /// The files of the map, made by one process.
+  void match_at_once(const std::string& folder) const {
+    std::filesystem::create_directories(folder);
+    const SceneInputs inputs = read_scene(request, pipeline);
+    MapInParts map(folder, manifest.size, manifest.disparities, 1e12);
+    run_in_tiles(pipeline, {inputs.scene.windows, inputs.range}, manifest.tiles,
+                 [&](const cv::Rect& place, const DisparityMap& part) { map.take(place, part); });
+    map.finish();
+  }
+
+  bool run(const std::string& job) const {
+    return run_job(manifest, find_job(manifest, job), pipeline, {.threads = 1});
+  }
+
+  Pipeline pipeline;
+  SceneFiles files;
+  SceneRequest request;
+  JobManifest manifest;
+};
+
+void check_same_files(const std::string& a, const std::string& b) {
+  for (const char* name : kMapFiles) {
+    CAPTURE(std::string(name));
+    CHECK(read_file(a + "/" + name) == read_file(b + "/" + name));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("jobs in any order give the bytes of one process") {
+  for (const char* name : {"tmgm16_refined", "sgm8"}) {
+    CAPTURE(std::string(name));
+    const Desk desk(name);
+    const bool is_pyramid = desk.manifest.jobs.front().name == "coarse";
+    CHECK(is_pyramid == (std::string(name) != "sgm8"));
+    std::vector<TileJob> jobs = desk.manifest.jobs;
+    CHECK(jobs.size() == 6 + (is_pyramid ? 1 : 0));
+    if (is_pyramid) CHECK(desk.run("coarse"));
+    std::reverse(jobs.begin(), jobs.end());
+    for (const TileJob& job : jobs) CHECK(desk.run(job.name) == (job.name != "coarse"));
+    const MapSummary summary = join_jobs(desk.manifest, desk / "joined");
+    desk.match_at_once(desk / "at_once");
+    check_same_files(desk / "joined", desk / "at_once");
+    CHECK(summary.density() > 0.5);
+  }
+}
+
+TEST_CASE("jobs: the manifest is read as it was written, with what each job takes") {
+  const Desk desk("tsgm8");
+  const JobManifest read = read_manifest(desk.manifest.file);
+  CHECK(read.pipeline_file == desk.pipeline.file());
+  CHECK(read.size == desk.manifest.size);
+  CHECK(read.disparities == desk.manifest.disparities);
+  CHECK(read.tiles.size == desk.manifest.tiles.size);
+  CHECK(read.tiles.coarse_pixels == desk.manifest.tiles.coarse_pixels);
+  REQUIRE(read.jobs.size() == desk.manifest.jobs.size());
+  for (std::size_t i = 0; i < read.jobs.size(); ++i) {
+    CHECK(read.jobs[i].name == desk.manifest.jobs[i].name);
+    CHECK(read.jobs[i].place == desk.manifest.jobs[i].place);
+    CHECK(read.jobs[i].memory_bytes > 1e6);
+    CHECK(read.jobs[i].seconds > 0);
+  }
+  // Also the results are the same question's.
+  CHECK(run_job(read, read.jobs.front(), desk.pipeline));
+  CHECK(is_done(desk.manifest, desk.manifest.jobs.front()));
+}
+
+TEST_CASE("jobs: done ones are not done again, damaged results and those of other questions are") {
+  Desk desk("tsgm8");
+  CHECK(contains(error_of([&] { desk.run("tile_1_1"); }), "not done: coarse"));
+  CHECK(desk.run("coarse"));
+  CHECK_FALSE(desk.run("coarse"));
+  const std::string result = desk / "work/jobs/coarse.pfm";
+  const std::string bytes = read_file(result);
+  std::string damaged = bytes;
+  damaged[bytes.size() / 2] ^= 1;
+  for (const std::string& now : {damaged, bytes.substr(0, 100)}) {
+    write_file(result, now);
+    CHECK_FALSE(is_done(desk.manifest, desk.manifest.jobs.front()));
+    CHECK(desk.run("coarse"));
+    CHECK(read_file(result) == bytes);
+  }
+  CHECK(desk.run("tile_1_1"));
+  CHECK(contains(error_of([&] { join_jobs(desk.manifest, desk / "joined"); }), "tile_1_2, "));
+  JobManifest other = desk.manifest;
+  other.tiles.halo = 64;
+  CHECK_FALSE(is_done(other, other.jobs.front()));
+}
+
+TEST_CASE("jobs: a changed image, an unknown job and what is no manifest are refused") {
+  const Desk desk("sgm8");
+  CHECK(contains(error_of([&] { desk.run("tile_9_9"); }), "there is no job 'tile_9_9'"));
+  desk.write("bad.json", "{\"format\": 1}");
+  CHECK(contains(error_of([&] { read_manifest(desk / "bad.json"); }), "is no manifest of jobs"));
+  write_png(desk.files.images.right, cv::Mat1b(desk.manifest.size, std::uint8_t{9}));
+  CHECK(contains(error_of([&] { desk.run("tile_1_1"); }), "right.png: has changed since"));
+}
+
+TEST_CASE("stored maps come back to the last bit, and are refused if they do not fit") {
+  const TemporaryFolder folder;
+  DisparityMap map({37, 23}, Status::occluded);
+  map.set(3, 4, -12.3456789F);
+  map.set(5, 6, 0.1F, Status::filled);
+  write_stored_map(folder.path(), "a", map);
+  CHECK(identical(read_stored_map(folder.path(), "a"), map));
+  write_png(folder / "a_status.png", cv::Mat1b(23, 37, std::uint8_t{200}));
+  CHECK(
+      contains(error_of([&] { read_stored_map(folder.path(), "a"); }), "does not hold the status"));
+  write_png(folder / "a_status.png", cv::Mat1b(23, 36, std::uint8_t{0}));
+  CHECK(
+      contains(error_of([&] { read_stored_map(folder.path(), "a"); }), "does not hold the status"));
+}
