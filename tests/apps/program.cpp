@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/program.hpp"
+#include "support/paths.hpp"
 
 #include <sys/wait.h>
 

@@ -16,6 +16,7 @@
 #include <thread>
 
 #include "apps/small_scene.hpp"
+#include "support/paths.hpp"
 #include "xgm/io/file.hpp"
 
 using namespace xgm;

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/program.hpp"
+#include "support/paths.hpp"
 #include "support/support.hpp"
 #include "support/temporary_folder.hpp"
 #include "xgm/io/file.hpp"

@@ -4,6 +4,7 @@
 
 #include "architecture/rules.hpp"
 #include "architecture/told.hpp"
+#include "support/paths.hpp"
 
 using namespace xgm::architecture;
 

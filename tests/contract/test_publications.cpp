@@ -5,6 +5,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "support/paths.hpp"
 #include "support/support.hpp"
 
 TEST_CASE("every plugin of the library is named in third_party_notes/algorithms.md") {

@@ -2,6 +2,7 @@
 // Where the shipped pipelines must stand on real scenes: the ten of Middlebury V3 (training,
 // quarter resolution), non-occluded pixels, total error at 1 px, averaged with the benchmark's
 // weights.
+#include "support/paths.hpp"
 #include "support/support.hpp"
 #include "xgm/evaluation/metrics.hpp"
 #include "xgm/io/scene.hpp"

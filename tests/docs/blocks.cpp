@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "support/paths.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/io/file.hpp"
 

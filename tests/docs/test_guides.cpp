@@ -18,6 +18,7 @@
 
 #include "apps/program.hpp"
 #include "docs/blocks.hpp"
+#include "support/paths.hpp"
 #include "support/support.hpp"
 #include "support/temporary_folder.hpp"
 #include "xgm/io/file.hpp"

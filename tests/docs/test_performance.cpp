@@ -8,6 +8,7 @@
 
 #include "apps/program.hpp"
 #include "docs/blocks.hpp"
+#include "support/paths.hpp"
 #include "support/support.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "support/paths.hpp"
 #include "support/support.hpp"
 #include "support/temporary_folder.hpp"
 #include "xgm/evaluation/explain.hpp"

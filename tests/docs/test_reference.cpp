@@ -8,6 +8,7 @@
 #include <set>
 
 #include "docs/blocks.hpp"
+#include "support/paths.hpp"
 #include "support/support.hpp"
 #include "xgm/io/file.hpp"
 #include "xgm/pipeline/describe.hpp"

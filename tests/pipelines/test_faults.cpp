@@ -2,6 +2,7 @@
 // What is planted in generated scenes hurts matching, and what alignment of rows is worth.
 #include <cmath>
 
+#include "support/paths.hpp"
 #include "support/support.hpp"
 #include "xgm/evaluation/metrics.hpp"
 #include "xgm/synthesis/generate.hpp"

@@ -4,6 +4,7 @@
 #include <array>
 #include <fstream>
 
+#include "support/paths.hpp"
 #include "support/support.hpp"
 #include "xgm/evaluation/metrics.hpp"
 #include "xgm/testing/synthetic.hpp"

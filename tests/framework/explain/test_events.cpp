@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "framework/explain/explained.hpp"
+#include "support/paths.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace xgm;

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "framework/explain/explained.hpp"
+#include "support/paths.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace xgm;

@@ -8,6 +8,7 @@
 #include <map>
 #include <sstream>
 
+#include "support/paths.hpp"
 #include "support/support.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/tiff_file.hpp"

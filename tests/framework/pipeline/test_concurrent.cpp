@@ -5,6 +5,7 @@
 #include <stop_token>
 #include <thread>
 
+#include "support/paths.hpp"
 #include "support/support.hpp"
 #include "xgm/base/memory.hpp"
 #include "xgm/base/simd.hpp"

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "support/paths.hpp"
 #include "support/support.hpp"
 #include "support/temporary_folder.hpp"
 #include "xgm/io/image_io.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Plans: what a small run shows, scaled to the size asked for.
+#include "support/paths.hpp"
 #include "xgm/pipeline/plan.hpp"
 
 #include <doctest/doctest.h>

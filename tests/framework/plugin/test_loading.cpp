@@ -9,6 +9,7 @@
 #include <set>
 
 #include "support/fake_stages.hpp"
+#include "support/paths.hpp"
 #include "xgm/pipeline/pipeline.hpp"
 #include "xgm/plugin/handshake.hpp"
 

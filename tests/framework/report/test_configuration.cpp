@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "framework/report/page.hpp"
+#include "support/paths.hpp"
 #include "support/support.hpp"
 #include "xgm/pipeline/pipeline.hpp"
 

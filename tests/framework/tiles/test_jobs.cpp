@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "support/paths.hpp"
 #include "support/support.hpp"
 #include "support/temporary_folder.hpp"
 #include "xgm/io/file.hpp"
