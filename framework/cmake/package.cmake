@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# `cpack -G DEB` in the build folder makes one Debian package: program, library, pipelines and SDK.
+# `cpack -G DEB` in the build folder makes a Debian package of program, library, pipelines and SDK, and one
+# of the Python package if that is built.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_VENDOR "xgm")
 set(CPACK_PACKAGE_CONTACT "the xgm authors <xgm@localhost>")
@@ -12,4 +13,25 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "cmake, g++, libopencv-core-dev")
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+if(XGM_BUILD_PYTHON)  # a second package, which needs the first
+  set(CPACK_DEB_COMPONENT_INSTALL ON)
+  set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS ON)
+  set(CPACK_DEBIAN_XGM_PACKAGE_NAME xgm)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-xgm)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+    "xgm (= ${PROJECT_VERSION}), python3, python3-numpy (<< 1:2)")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-tqdm")
+  set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_LIBRARY_OUTPUT_DIRECTORY})
+endif()
 include(CPack)
+if(XGM_BUILD_PYTHON)
+  get_cmake_property(components COMPONENTS)
+  foreach(component IN LISTS components)
+    if(component STREQUAL python)
+      cpack_add_component(python GROUP python)
+    else()
+      cpack_add_component(${component} GROUP xgm)
+    endif()
+  endforeach()
+endif()

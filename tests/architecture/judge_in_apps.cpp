@@ -19,11 +19,18 @@ bool is_open(const std::string& header) {
   return core_folders.contains(place.folder) || single.contains(header);
 }
 
+/// Stages that are written in Python are made there: what plugins include is for it, too.
+bool makes_stages(const std::string& file, const std::string& header) {
+  static const std::set<std::string> folders{"config", "plugin", "stage"};
+  const Place place = place_of(public_header(header));
+  return file.starts_with("apps/python/") && place.room == "core" && folders.contains(place.folder);
+}
+
 }  // namespace
 
 Complaint judge_in_apps(const std::string& file, const Include& include, const Tree& tree) {
   if (include.target.starts_with("xgm/")) {
-    if (is_open(include.target)) return {};
+    if (is_open(include.target) || makes_stages(file, include.target)) return {};
     return "an application does not make, bind or test stages: this header is not for it";
   }
   const std::string top = "apps/" + split_path(file)[1] + "/";

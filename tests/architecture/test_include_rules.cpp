@@ -160,3 +160,12 @@ TEST_CASE("architecture rules: applications include public headers and their own
   check_allowed("apps/pipeline/eval/eval.cpp", "\"terminal/console.hpp\"");
   check_allowed("apps/pipeline/run/run.cpp", "\"results.hpp\"");
 }
+
+TEST_CASE("architecture rules: the Python package makes stages, and tests none") {
+  const std::string stages = "apps/python/src/python_stages.cpp";
+  check_allowed(stages, "\"xgm/stage/cost.hpp\"");
+  check_allowed(stages, "\"xgm/config/parameters.hpp\"");
+  check_allowed(stages, "<pybind11/pybind11.h>");
+  check_forbidden(stages, "\"xgm/testing/contract.hpp\"");
+  check_forbidden(stages, "\"apps/pipeline/run/results.hpp\"");
+}

@@ -8,6 +8,7 @@
 //                          project (plugins) or programs
 //   sh [exit=N]            calls of `pipeline`, run in a folder with images, exit code N (0)
 //   text                   after sh: all that the last call printed
+//   python                 run by tests/python/test_guide.py
 //   ... unchecked          anything else
 #include <doctest/doctest.h>
 
@@ -106,6 +107,7 @@ class Page {
 
   void check(const Block& block) {
     if (says(block, "unchecked")) return;
+    if (block.language == "python") return;  // tests/python/test_guide.py
     const std::string detail = block.details.empty() ? "" : block.details.back();
     if (block.language == "yaml" && detail.ends_with(".yaml")) {
       folder_.write(detail, block.text);

@@ -152,6 +152,40 @@ TEST_CASE("masks: non-zero may be used; they keep outliers out of the scale") {
                  "wide.png: is 4 x 1 pixels"));
 }
 
+TEST_CASE("images in memory are scaled as files of them are") {
+  const TemporaryFolder folder;
+  cv::Mat1w deep(3, 5);
+  for (int i = 0; i < 15; ++i) deep(i) = static_cast<ushort>(4000 * i);
+  cv::Mat4b colour(3, 5);
+  for (int i = 0; i < 15; ++i) {
+    const auto level = static_cast<uchar>(i);
+    colour(i) = cv::Vec4b(level, static_cast<uchar>(100 + i), 255, i == 7 ? uchar{0} : uchar{255});
+  }
+  for (const cv::Mat& image : {cv::Mat(deep), cv::Mat(colour)}) {
+    const ReadPair of_files = pair_of(folder, image, image);
+    const ReadPair in_memory = to_pair(to_unscaled("left", image), to_unscaled("right", image));
+    CHECK(have_same_pixels(in_memory.pair.base, of_files.pair.base));
+    const cv::Mat1b &valid = in_memory.pair.base.valid, &valid_of_file = of_files.pair.base.valid;
+    CHECK(valid.empty() == valid_of_file.empty());
+    if (!valid.empty()) CHECK(cv::countNonZero(valid != valid_of_file) == 0);
+    CHECK(in_memory.notes == of_files.notes);
+  }
+}
+
+TEST_CASE("grey float images in memory: shared if nothing changes, and never written to") {
+  const cv::Mat1f levels = (cv::Mat1f(1, 4) << 0, 3, 200, 255);
+  const cv::Mat1f unit = (cv::Mat1f(1, 4) << 0, 0.25F, 0.5F, 1);
+  const cv::Mat1f holes = (cv::Mat1f(1, 4) << 0, kNan, 200, 255);
+  for (const cv::Mat1f& image : {levels, unit, holes}) {
+    const cv::Mat1f before = image.clone();
+    const ReadPair read = to_pair(to_unscaled("left", image), to_unscaled("right", image));
+    const cv::Mat1f& plane = read.pair.base.planes[0];
+    CHECK((plane.data == image.data) == (image.data == levels.data));
+    CHECK(have_same_pixels(Image(image), Image(before)));
+    CHECK(plane(1) == (image.data == unit.data ? 63.75F : image.data == holes.data ? 0 : 3));
+  }
+}
+
 TEST_CASE("pairs that do not fit and files that are no images are errors that name the file") {
   const TemporaryFolder folder;
   CHECK(contains(error_of([&] { pair_of(folder, cv::Mat1b(2, 3, 0.0), cv::Mat1b(2, 4, 0.0)); }),

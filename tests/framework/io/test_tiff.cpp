@@ -39,7 +39,7 @@ bool equal(const cv::Mat1f& plane, const cv::Mat& band) {
 
 /// Which pixels of a one-band file have data: 'x', the others '.'.
 std::string valid_pixels(const std::string& file, const std::vector<double>& no_data = {}) {
-  const Raster raster = read_raster(file, no_data);
+  const UnscaledImage raster = read_raster(file, no_data);
   std::string text;
   for (int x = 0; x < raster.size().width; ++x) text += raster.is_valid(0, x) ? 'x' : '.';
   return text;
@@ -62,7 +62,7 @@ TEST_CASE(
                    {.bands_apart = (style & 1) != 0,
                     .tiled = (style & 2) != 0,
                     .compressed = (style & 4) != 0});
-        const Raster raster = read_raster(file);
+        const UnscaledImage raster = read_raster(file);
         CHECK(raster.depth == depth);
         CHECK(raster.valid.empty());
         REQUIRE(raster.planes.size() == bands.size());
@@ -80,7 +80,7 @@ TEST_CASE("tiff: what OpenCV reads rightly is read alike, orientations included"
   for (int orientation = 1; orientation <= 8; ++orientation) {
     CAPTURE(orientation);
     write_tiff(file, bands_of(CV_16U, 1), {.orientation = orientation});
-    const Raster raster = read_raster(file);
+    const UnscaledImage raster = read_raster(file);
     CHECK(raster.depth == CV_16U);
     CHECK(equal(raster.planes.front(), cv::imread(file, cv::IMREAD_UNCHANGED)));
   }
@@ -96,7 +96,7 @@ TEST_CASE("tiff: the last of two or four bands is alpha, unless the file says th
         bands.back().at<uchar>(0, 0) = 1;
         bands.back().row(3).setTo(0);
         write_tiff(file, bands, {.has_alpha = has_alpha});
-        const Raster raster = read_raster(file);
+        const UnscaledImage raster = read_raster(file);
         CHECK(raster.planes.size() == static_cast<std::size_t>(count - 1));
         CHECK(raster.is_valid(2, 5));
         CHECK(raster.is_valid(3, 5) != has_alpha);

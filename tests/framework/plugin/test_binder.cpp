@@ -32,6 +32,19 @@ void check_one(const std::string& text, const std::string& expected) {
 
 }  // namespace
 
+TEST_CASE("a plugin that is taken away leaves its name free, and pipelines with it as they are") {
+  Registry registry = Registry::with_builtins();
+  const LoadedPipeline loaded =
+      load_pipeline_text("matcher: opencv_sgbm\npostprocess: [median]\n", "own.yaml", registry);
+  REQUIRE(loaded.pipeline);
+  const PluginInfo median = *registry.find("filter", "median");
+  CHECK(registry.remove("filter", "median"));
+  CHECK_FALSE(registry.remove("filter", "median"));
+  CHECK(registry.find("filter", "median") == nullptr);
+  CHECK(loaded.pipeline->resolved_json().find("median") != std::string::npos);
+  CHECK_NOTHROW(registry.add(median));
+}
+
 TEST_CASE("a sound pipeline loads, with defaults and bare words") {
   CHECK(messages("xgm: 1\nmatcher: {type: fake_matcher, cost: fake_cost}\n") == "");
   CHECK(messages("matcher: {type: fake_matcher, cost: {type: fake_cost, window: 7, sigma: 2,"

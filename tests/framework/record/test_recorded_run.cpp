@@ -55,6 +55,22 @@ TEST_CASE("record_scene: map, pictures and record, for a program without an obse
   CHECK(record["warnings"].empty());
 }
 
+TEST_CASE("record_in_memory: the same record, and no file") {
+  const TemporaryFolder folder;
+  const RecordedRun written = record_scene(noise_pipeline(), noise(9), {.folder = folder.path()});
+  Listener listener;
+  const RecordedRun result =
+      record_in_memory(noise_pipeline(), noise(9), {}, {.observer = &listener});
+  CHECK(result.failure.empty());
+  CHECK(result.run.maps.forward.disparity(12, 60) == 9);
+  CHECK(result.record.stages.size() == written.record.stages.size());
+  CHECK(listener.stages == static_cast<int>(result.record.stages.size()));
+  CHECK(result.record.valid_share == written.record.valid_share);
+  CHECK(result.record.peak_memory_bytes > 0);
+  CHECK(result.record.outputs.empty());
+  CHECK_THROWS_AS(record_in_memory(noise_pipeline(), noise(9), {.report = true}), UsageError);
+}
+
 TEST_CASE("record_scene: report, explanations and dumps as far as they are asked for") {
   const TemporaryFolder folder;
   std::vector<std::string> told;

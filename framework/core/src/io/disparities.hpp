@@ -10,9 +10,9 @@
 namespace xgm {
 
 /// Throws Error if the file is a colour picture: maps have one channel, or equal ones.
-void require_no_picture(const Raster& raster);
+void require_no_picture(const UnscaledImage& raster);
 
 /// value / divisor, NaN where there is none: no data, 0 in a file of whole numbers, marks.
-Noted<cv::Mat1f> to_disparities(Raster raster, double divisor);
+Noted<cv::Mat1f> to_disparities(UnscaledImage raster, double divisor);
 
 }  // namespace xgm

@@ -31,7 +31,7 @@ Scaling scaling_of_floats(const Extremes& values) {
 
 }  // namespace
 
-void Extremes::add(const Raster& raster) {
+void Extremes::add(const UnscaledImage& raster) {
   if (!raster.valid.empty() && cv::countNonZero(raster.valid) == 0) return;
   for (const cv::Mat1f& plane : raster.planes) {
     double plane_low = 0, plane_high = 0;
@@ -63,17 +63,17 @@ void require_mask_of(const Stored& image, const std::string& mask, cv::Size size
               size_text(image.size) + "; a mask has the size of its image");
 }
 
-void apply_mask(Raster& raster, const cv::Mat1b& mask) {
+void apply_mask(UnscaledImage& raster, const cv::Mat1b& mask) {
   const cv::Mat1b valid(mask != 0);
   raster.valid = raster.valid.empty() ? valid : cv::Mat1b(raster.valid & valid);
 }
 
-Image to_image(Raster raster, const Scaling& scaling) {
+Image to_image(UnscaledImage raster, const Scaling& scaling) {
   Image image;
+  const bool is_scaled = scaling.gain != 1 || scaling.offset != 0;
   for (cv::Mat1f& plane : raster.planes) {
-    if (scaling.gain != 1 || scaling.offset != 0) {
-      plane.convertTo(plane, CV_32F, scaling.gain, -scaling.offset * scaling.gain);
-    }
+    if (raster.is_shared && (is_scaled || !raster.valid.empty())) plane = plane.clone();
+    if (is_scaled) plane.convertTo(plane, CV_32F, scaling.gain, -scaling.offset * scaling.gain);
     if (!raster.valid.empty()) plane.setTo(0, raster.valid == 0);
   }
   image.planes = std::move(raster.planes);

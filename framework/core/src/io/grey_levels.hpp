@@ -22,7 +22,7 @@ struct Extremes {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
 
-  void add(const Raster& raster);
+  void add(const UnscaledImage& raster);
 };
 
 /// `values`: of both images.
@@ -39,10 +39,10 @@ struct Stored {
 void require_same(const Stored& left, const Stored& right);
 void require_mask_of(const Stored& image, const std::string& mask, cv::Size size);
 
-void apply_mask(Raster& raster, const cv::Mat1b& mask);
+void apply_mask(UnscaledImage& raster, const cv::Mat1b& mask);
 
-/// Uses the raster up: planes are scaled in place, no second copy is held.
-Image to_image(Raster raster, const Scaling& scaling);
+/// Uses the raster up: planes that nobody shares are scaled in place, no second copy is held.
+Image to_image(UnscaledImage raster, const Scaling& scaling);
 
 inline constexpr const char* kMatchedAsGrey =
     "one image is grey and the other colour: both are matched as grey";

@@ -13,9 +13,10 @@
 namespace xgm {
 namespace {
 
-Stored stored(const Raster& raster) { return {raster.file, raster.size(), raster.depth}; }
+Stored stored(const UnscaledImage& raster) { return {raster.file, raster.size(), raster.depth}; }
 
-void apply_mask(Raster& raster, const std::string& file, std::vector<std::string>& warnings) {
+void apply_mask(UnscaledImage& raster, const std::string& file,
+                std::vector<std::string>& warnings) {
   if (file.empty()) return;
   const cv::Mat1b mask = take(read_mask(file, MaskUse::usable), warnings);
   require_mask_of(stored(raster), file, mask.size());
@@ -25,12 +26,20 @@ void apply_mask(Raster& raster, const std::string& file, std::vector<std::string
 }  // namespace
 
 ReadPair read_pair(const PairFiles& files) {
-  Raster left = read_raster(files.left, files.no_data);
-  Raster right = read_raster(files.right, files.no_data);
+  UnscaledImage left = read_raster(files.left, files.no_data);
+  UnscaledImage right = read_raster(files.right, files.no_data);
+  require_same(stored(left), stored(right));
+  std::vector<std::string> warnings;
+  apply_mask(left, files.left_mask, warnings);
+  apply_mask(right, files.right_mask, warnings);
+  ReadPair result = to_pair(std::move(left), std::move(right));
+  result.warnings.insert(result.warnings.begin(), warnings.begin(), warnings.end());
+  return result;
+}
+
+ReadPair to_pair(UnscaledImage left, UnscaledImage right) {
   require_same(stored(left), stored(right));
   ReadPair result;
-  apply_mask(left, files.left_mask, result.warnings);
-  apply_mask(right, files.right_mask, result.warnings);
   append(result.warnings, mask_marks_of_image(left));
   append(result.warnings, mask_marks_of_image(right));
 

@@ -38,14 +38,14 @@ struct Ends {
   End low, high;
 };
 
-bool bands_equal(const Raster& raster, int y, int x) {
+bool bands_equal(const UnscaledImage& raster, int y, int x) {
   const float first = raster.planes.front()(y, x);
   return std::all_of(raster.planes.begin(), raster.planes.end(),
                      [&](const cv::Mat1f& plane) { return plane(y, x) == first; });
 }
 
 template <class Body>
-void for_each_valid(const Raster& raster, Body body) {
+void for_each_valid(const UnscaledImage& raster, Body body) {
   for (int y = 0; y < raster.size().height; ++y) {
     for (int x = 0; x < raster.size().width; ++x) {
       if (raster.is_valid(y, x)) body(y, x, raster.planes.front()(y, x));
@@ -53,7 +53,7 @@ void for_each_valid(const Raster& raster, Body body) {
   }
 }
 
-void add_ends(const Raster& raster, Ends& ends) {
+void add_ends(const UnscaledImage& raster, Ends& ends) {
   for_each_valid(raster, [&](int, int, float value) {
     ends.low.take(value, 1);
     ends.high.take(value, -1);
@@ -62,7 +62,7 @@ void add_ends(const Raster& raster, Ends& ends) {
 
 /// Takes pixels out of the valid ones whose value is such; returns how many.
 template <class Such>
-std::int64_t mask_out(Raster& raster, Such such) {
+std::int64_t mask_out(UnscaledImage& raster, Such such) {
   std::int64_t count = 0;
   cv::Mat1b valid = raster.valid.empty() ? cv::Mat1b(raster.size(), 255) : raster.valid;
   for_each_valid(raster, [&](int y, int x, float value) {
@@ -99,7 +99,7 @@ struct Rules {
   std::function<std::string(const End& end, const End& other)> doubt;
 };
 
-Rules rules_of_maps(const Raster& map, double divisor) {
+Rules rules_of_maps(const UnscaledImage& map, double divisor) {
   constexpr double kMaxDisparity = 1 << 20;  // px
   const int depth = map.depth;
   const double px = std::abs(divisor), width = map.size().width;
@@ -130,6 +130,13 @@ Rules rules_of_images(int depth) {
     return is_large && is_apart(end, other) ? "far above all others" : "";
   };
   return rules;
+}
+
+/// Whether no rule of images finds anything, told by a faster look.
+bool holds_plain_levels(const UnscaledImage& image) {
+  double low = 0, high = 0;
+  cv::minMaxIdx(image.planes.front(), &low, &high, nullptr, nullptr, image.valid);
+  return low >= 0 && high <= (image.depth == CV_16U ? 65534 : 255);
 }
 
 /// A look at all pixels: those that mean no data are taken out.
@@ -167,7 +174,7 @@ class MarkSearch {
   template <class Such>
   Look look_at_all(const Such& such) const {
     Look look;
-    file_.each_part([&](Raster& part) {
+    file_.each_part([&](UnscaledImage& part) {
       mask(part, found_.marks);  // they are there again if it was read again
       look.masked += mask_out(part, [&](float value) {
         if (!such(value)) return false;
@@ -205,13 +212,13 @@ class MarkSearch {
   FoundMarks found_;
 };
 
-MarkedFile in_memory(Raster& raster) {
-  return {raster.file, raster.size(), [&raster](const TakeRaster& take) { take(raster); }};
+MarkedFile in_memory(UnscaledImage& raster) {
+  return {raster.file, raster.size(), [&raster](const TakeImage& take) { take(raster); }};
 }
 
 }  // namespace
 
-void mask(Raster& raster, const Marks& marks) {
+void mask(UnscaledImage& raster, const Marks& marks) {
   if (marks.empty()) return;
   mask_out(raster, [&](float value) {
     return std::abs(value) > marks.never ||
@@ -219,7 +226,7 @@ void mask(Raster& raster, const Marks& marks) {
   });
 }
 
-std::vector<std::string> mask_marks_of_map(Raster& map, double divisor) {
+std::vector<std::string> mask_marks_of_map(UnscaledImage& map, double divisor) {
   return MarkSearch(in_memory(map), rules_of_maps(map, divisor)).run().warnings;
 }
 
@@ -228,7 +235,8 @@ FoundMarks marks_of_image(const MarkedFile& file, int depth) {
   return MarkSearch(file, rules_of_images(depth)).run();
 }
 
-std::vector<std::string> mask_marks_of_image(Raster& image) {
+std::vector<std::string> mask_marks_of_image(UnscaledImage& image) {
+  if (holds_plain_levels(image)) return {};
   return marks_of_image(in_memory(image), image.depth).warnings;
 }
 

@@ -21,22 +21,22 @@ struct Marks {
 };
 
 /// Takes pixels that hold them out of `raster.valid`.
-void mask(Raster& raster, const Marks& marks);
+void mask(UnscaledImage& raster, const Marks& marks);
 
 /// Values that no disparity can be are taken out of `map.valid`; values that may be marks are kept.
 /// `divisor` makes px of the values. Returns a warning of each.
-std::vector<std::string> mask_marks_of_map(Raster& map, double divisor);
+std::vector<std::string> mask_marks_of_map(UnscaledImage& map, double divisor);
 
 /// The same for an image. One of 8 bit has none.
-std::vector<std::string> mask_marks_of_image(Raster& image);
+std::vector<std::string> mask_marks_of_image(UnscaledImage& image);
 
-using TakeRaster = std::function<void(Raster& part)>;
+using TakeImage = std::function<void(UnscaledImage& part)>;
 
 /// A file that is looked at several times, part by part, from the top.
 struct MarkedFile {
   std::string name;
   cv::Size size;
-  std::function<void(const TakeRaster&)> each_part;  ///< gives each part, the same every time
+  std::function<void(const TakeImage&)> each_part;  ///< gives each part, the same every time
 };
 
 struct FoundMarks {

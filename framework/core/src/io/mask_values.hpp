@@ -18,7 +18,7 @@ class MaskValues {
 
   /// The part as a mask: its largest band, 255 for nonzero values of depths other than 8 bit, 0
   /// without data.
-  cv::Mat1b add(const Raster& part);
+  cv::Mat1b add(const UnscaledImage& part);
 
   /// Whether the parts so far hold nothing else, and ones.
   bool are_zeros_and_ones() const;

@@ -17,7 +17,7 @@ Interval interval_of(float low, float high) {
 }
 
 Noted<cv::Mat1f> read_range_map(const std::string& file, const std::vector<double>& no_data) {
-  Raster raster = read_raster(file, no_data);
+  UnscaledImage raster = read_raster(file, no_data);
   require_no_picture(raster);
   if (raster.holds_whole_numbers()) {
     throw Error(file + ": holds whole numbers (" + depth_name(raster.depth) +

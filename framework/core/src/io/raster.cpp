@@ -14,6 +14,12 @@
 namespace xgm {
 namespace {
 
+void require_bands(const std::string& name, const cv::Mat& image) {
+  if (image.channels() <= 4) return;
+  throw Error(name + ": has " + std::to_string(image.channels()) +
+              " channels; give a grey (1) or colour (3) image, with or without alpha");
+}
+
 StoredImage decode(const std::string& file) {
   cv::Mat image;
   try {
@@ -25,11 +31,13 @@ StoredImage decode(const std::string& file) {
     throw Error(file +
                 ": is no image that can be read; give a complete PNG, TIFF, JPEG, PNM or PFM");
   }
-  if (image.channels() > 4) {
-    throw Error(file + ": has " + std::to_string(image.channels()) +
-                " channels; give a grey (1) or colour (3) image, with or without alpha");
-  }
+  require_bands(file, image);
   return split_bands(image);
+}
+
+/// Alpha that is 0 everywhere was never filled in.
+bool is_alpha_used(const StoredImage& stored) {
+  return !stored.alpha.empty() && cv::countNonZero(stored.alpha) > 0;
 }
 
 /// Empty if all pixels have data.
@@ -51,8 +59,9 @@ void mask_value(cv::Mat1b& valid, const std::vector<cv::Mat>& channels, double v
   valid.setTo(0, equal);
 }
 
-/// Values that are not finite become 0 and masked.
-void mask_non_finite(Raster& raster) {
+/// Values that are not finite become masked, and 0 where nobody shares them.
+void mask_non_finite(UnscaledImage& raster) {
+  if (raster.holds_whole_numbers()) return;
   cv::Mat1b& valid = raster.valid;
   for (cv::Mat1f& plane : raster.planes) {
     for (int y = 0; y < plane.rows; ++y) {
@@ -60,7 +69,7 @@ void mask_non_finite(Raster& raster) {
         if (std::isfinite(plane(y, x))) continue;
         if (valid.empty()) valid = cv::Mat1b(plane.size(), 255);
         valid(y, x) = 0;
-        plane(y, x) = 0;
+        if (!raster.is_shared) plane(y, x) = 0;
       }
     }
   }
@@ -96,10 +105,9 @@ StoredImage read_stored(const std::string& file) {
   return decoded;
 }
 
-Raster to_raster(StoredImage stored, const std::string& file, bool alpha,
-                 const std::vector<double>& no_data) {
-  Raster raster;
-  raster.file = file;
+UnscaledImage to_unscaled(StoredImage stored, const std::string& file, bool alpha,
+                          const std::vector<double>& no_data) {
+  UnscaledImage raster{.file = file, .planes = {}};
   raster.depth = stored.channels.front().depth();
   if (alpha && !stored.alpha.empty()) raster.valid = mask_of_alpha(stored.alpha);
   if (stored.no_data) mask_value(raster.valid, stored.channels, *stored.no_data);
@@ -112,11 +120,24 @@ Raster to_raster(StoredImage stored, const std::string& file, bool alpha,
   return raster;
 }
 
-Raster read_raster(const std::string& file, const std::vector<double>& no_data) {
+UnscaledImage read_raster(const std::string& file, const std::vector<double>& no_data) {
   StoredImage stored = read_stored(file);
-  // Alpha that is 0 everywhere was never filled in.
-  const bool alpha = !stored.alpha.empty() && cv::countNonZero(stored.alpha) > 0;
-  return to_raster(std::move(stored), file, alpha, no_data);
+  const bool alpha = is_alpha_used(stored);
+  return to_unscaled(std::move(stored), file, alpha, no_data);
+}
+
+UnscaledImage to_unscaled(std::string name, cv::InputArray image) {
+  const cv::Mat pixels = image.getMat();
+  if (pixels.type() != CV_32FC1) {
+    require_bands(name, pixels);
+    StoredImage stored = split_bands(pixels);
+    const bool alpha = is_alpha_used(stored);
+    return to_unscaled(std::move(stored), name, alpha, {});
+  }
+  UnscaledImage shared{
+      .file = std::move(name), .depth = CV_32F, .planes = {pixels}, .is_shared = true};
+  mask_non_finite(shared);
+  return shared;
 }
 
 std::string depth_name(int depth) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "xgm/base/export.hpp"
+#include "xgm/io/image_io.hpp"
 
 namespace xgm {
 
@@ -18,17 +19,6 @@ struct StoredImage {
   std::optional<double> no_data{};  ///< the value that means no data, if the file names one
 };
 
-struct Raster {
-  std::string file;
-  int depth = CV_8U;              ///< OpenCV's code of the stored type
-  std::vector<cv::Mat1f> planes;  ///< one (grey) or three (blue, green, red), values as stored
-  cv::Mat1b valid;                ///< empty, or 0 where there is no data
-
-  cv::Size size() const { return planes.front().size(); }
-  bool is_valid(int y, int x) const { return valid.empty() || valid(y, x) != 0; }
-  bool holds_whole_numbers() const { return depth != CV_32F && depth != CV_64F; }
-};
-
 /// Of pixels whose bands lie together; the last of two or four is alpha.
 StoredImage split_bands(const cv::Mat& pixels);
 
@@ -37,13 +27,13 @@ StoredImage read_stored(const std::string& file);
 
 /// What it holds as values, for a file or a window of it. `alpha` says whether alpha tells where
 /// there is data: not if it is 0 in all of the file.
-Raster to_raster(StoredImage stored, const std::string& file, bool alpha,
-                 const std::vector<double>& no_data);
+UnscaledImage to_unscaled(StoredImage stored, const std::string& file, bool alpha,
+                          const std::vector<double>& no_data);
 
 /// Decodes any format. A pixel has no data where alpha is 0, where a value is not finite, or where
 /// all bands equal the value that the file names (GDAL_NODATA) or one of `no_data`; values are
 /// compared in the type of the file. Throws Error. Exported for the tests only.
-XGM_API Raster read_raster(const std::string& file, const std::vector<double>& no_data = {});
+XGM_API UnscaledImage read_raster(const std::string& file, const std::vector<double>& no_data = {});
 
 /// "8-bit", "16-bit", "float", ...
 std::string depth_name(int depth);

@@ -10,14 +10,14 @@
 namespace xgm {
 namespace {
 
-bool has_equal_channels(const Raster& raster) {
+bool has_equal_channels(const UnscaledImage& raster) {
   for (const cv::Mat1f& plane : raster.planes) {
     if (cv::countNonZero(plane != raster.planes.front()) > 0) return false;
   }
   return true;
 }
 
-void require_divisor(const Raster& raster, std::optional<double> divisor) {
+void require_divisor(const UnscaledImage& raster, std::optional<double> divisor) {
   if (divisor && (!std::isfinite(*divisor) || *divisor == 0)) {
     throw Error(raster.file + ": the divisor of its values must be a number other than 0");
   }
@@ -29,21 +29,21 @@ void require_divisor(const Raster& raster, std::optional<double> divisor) {
   }
 }
 
-void mask_zeros(Raster& raster) {
+void mask_zeros(UnscaledImage& raster) {
   const cv::Mat1b known(raster.planes.front() != 0);
   raster.valid = raster.valid.empty() ? known : cv::Mat1b(raster.valid & known);
 }
 
 }  // namespace
 
-void require_no_picture(const Raster& raster) {
+void require_no_picture(const UnscaledImage& raster) {
   if (has_equal_channels(raster)) return;
   throw Error(raster.file +
               ": is a colour picture; its colours are no measures of disparity: give a PFM "
               "(disparity.pfm), or an image of one channel");
 }
 
-Noted<cv::Mat1f> to_disparities(Raster raster, double divisor) {
+Noted<cv::Mat1f> to_disparities(UnscaledImage raster, double divisor) {
   if (raster.holds_whole_numbers()) mask_zeros(raster);
   Noted<cv::Mat1f> read{cv::Mat1f(raster.size()), mask_marks_of_map(raster, divisor)};
   const cv::Mat1f& stored = raster.planes.front();
@@ -58,7 +58,7 @@ Noted<cv::Mat1f> to_disparities(Raster raster, double divisor) {
 
 Noted<cv::Mat1f> read_disparities(const std::string& file, std::optional<double> divisor,
                                   const std::vector<double>& no_data) {
-  Raster raster = read_raster(file, no_data);
+  UnscaledImage raster = read_raster(file, no_data);
   require_no_picture(raster);
   require_divisor(raster, divisor);
   return to_disparities(std::move(raster), divisor.value_or(1));

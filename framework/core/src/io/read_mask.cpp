@@ -11,7 +11,7 @@ namespace xgm {
 namespace {
 
 /// The largest band; 255 for nonzero values of depths other than 8 bit.
-cv::Mat1b largest_band(const Raster& raster) {
+cv::Mat1b largest_band(const UnscaledImage& raster) {
   cv::Mat1f largest = raster.planes.front();
   for (const cv::Mat1f& plane : raster.planes) largest = cv::max(largest, plane);
   cv::Mat1b mask;
@@ -50,7 +50,7 @@ std::string doubt(MaskValues::Held held, MaskUse use) {
 
 }  // namespace
 
-cv::Mat1b MaskValues::add(const Raster& part) {
+cv::Mat1b MaskValues::add(const UnscaledImage& part) {
   cv::Mat1b mask = largest_band(part);
   if (!part.valid.empty()) {
     const cv::Mat1b without_data(part.valid == 0);

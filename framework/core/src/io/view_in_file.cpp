@@ -29,8 +29,8 @@ bool RasterWindows::is_alpha_filled_in() const {
   });
 }
 
-Raster RasterWindows::read(const cv::Rect& window) const {
-  return to_raster(read_stored(window), stored_.file, alpha_, no_data_);
+UnscaledImage RasterWindows::read(const cv::Rect& window) const {
+  return to_unscaled(read_stored(window), stored_.file, alpha_, no_data_);
 }
 
 ViewInFile::ViewInFile(const std::string& file, const std::string& mask_file,
@@ -49,9 +49,9 @@ void ViewInFile::look_at_mask(std::vector<std::string>& warnings) {
 }
 
 void ViewInFile::look_for_marks(std::vector<std::string>& warnings) {
-  const MarkedFile file{stored().file, stored().size, [&](const TakeRaster& take) {
+  const MarkedFile file{stored().file, stored().size, [&](const TakeImage& take) {
                           for (const cv::Rect& band : row_bands(stored().size)) {
-                            Raster part = values(band);
+                            UnscaledImage part = values(band);
                             take(part);
                           }
                         }};
@@ -62,7 +62,7 @@ void ViewInFile::look_for_marks(std::vector<std::string>& warnings) {
 
 void ViewInFile::look_at_values(Extremes& extremes) {
   for (const cv::Rect& band : row_bands(stored().size)) {
-    const Raster part = values(band);
+    const UnscaledImage part = values(band);
     if (stored().depth != CV_8U) extremes.add(part);
     if (!part.valid.empty()) masked_pixels_ += band.area() - cv::countNonZero(part.valid);
   }
@@ -77,15 +77,15 @@ std::optional<double> ViewInFile::masked_share() const {
   return masked_pixels_ / static_cast<double>(stored().size.area());
 }
 
-Raster ViewInFile::values(const cv::Rect& window) const {
-  Raster raster = image_.read(window);
+UnscaledImage ViewInFile::values(const cv::Rect& window) const {
+  UnscaledImage raster = image_.read(window);
   if (mask_) apply_mask(raster, MaskValues().add(mask_->read(window)));
   mask(raster, marks_);
   return raster;
 }
 
 Image ViewInFile::read(const cv::Rect& window, const Scaling& scaling) const {
-  Raster raster = values(window);
+  UnscaledImage raster = values(window);
   if (masked_share() && raster.valid.empty()) raster.valid = cv::Mat1b(window.size(), 255);
   return to_image(std::move(raster), scaling);
 }

@@ -24,7 +24,7 @@ class RasterWindows {
   int planes() const { return planes_; }
   double held_bytes() const { return windows_->held_bytes(); }
 
-  Raster read(const cv::Rect& window) const;
+  UnscaledImage read(const cv::Rect& window) const;
 
  private:
   StoredImage read_stored(const cv::Rect& window) const;
@@ -56,7 +56,7 @@ class ViewInFile {
   Image read(const cv::Rect& window, const Scaling& scaling) const;
 
  private:
-  Raster values(const cv::Rect& window) const;
+  UnscaledImage values(const cv::Rect& window) const;
 
   std::string mask_file_, scratch_;
   RasterWindows image_;

@@ -64,6 +64,10 @@ void Registry::add(PluginInfo info) {
   plugins_.emplace(std::move(key), std::move(info));
 }
 
+bool Registry::remove(std::string_view kind, std::string_view name) {
+  return plugins_.erase(std::pair(std::string(kind), std::string(name))) > 0;
+}
+
 const PluginInfo* Registry::find(std::string_view kind, std::string_view name) const {
   const auto found = plugins_.find(std::pair(std::string(kind), std::string(name)));
   return found == plugins_.end() ? nullptr : &found->second;

@@ -43,9 +43,10 @@ std::vector<NamedFile> files_read(const Pipeline& pipeline, const SceneRequest& 
 /// All who watch the run for its record.
 class Watchers {
  public:
-  Watchers(const RecordRequest& request, const Scene& scene, RunFolder& folder, Observer* callers)
-      : dumper(folder.file(kDumpFolder), request.dump,
-               [&folder](const std::string& file) { folder.announce(file); }) {
+  /// `folder` is null if nothing is to be written.
+  Watchers(const RecordRequest& request, const Scene& scene, RunFolder* folder, Observer* callers)
+      : dumper(folder != nullptr ? folder->file(kDumpFolder) : "", request.dump,
+               [folder](const std::string& file) { folder->announce(file); }) {
     // A stage is recorded before the caller hears of it, and a dump that fails ends the run.
     all.add(recorder);
     if (callers != nullptr) all.add(*callers);
@@ -70,8 +71,9 @@ void add_bytes_of_report(SceneInputs& inputs) {
 
 /// What cannot be had without all of the images and the map.
 bool needs_whole(const RecordRequest& request, const SceneRequest& scene) {
-  return request.report || !request.explained.empty() || !request.dump.empty() ||
-         !request.depth.empty() || scene.truth || !std::holds_alternative<SceneFiles>(scene.scene);
+  return request.holds_maps || request.report || !request.explained.empty() ||
+         !request.dump.empty() || !request.depth.empty() || scene.truth ||
+         !std::holds_alternative<SceneFiles>(scene.scene);
 }
 
 /// Whether the images, the map and the truth can be held beside what is matched. Runs that fit as a
@@ -182,14 +184,26 @@ void write_files(RecordedRun& result, const RecordRequest& request, const Watche
   folder.end();
 }
 
-SceneRun match(const Pipeline& pipeline, SceneInputs inputs, const RunOptions& options,
-               const ChooseParts& parts, KeptMap& kept, RunFolder& folder) {
-  try {
-    return kept.match(pipeline, std::move(inputs), options, parts);
-  } catch (const Cancelled&) {
-    folder.discard();
-    throw;
-  }
+/// The run and its record, but for what is known when files are written.
+RecordedRun match(const Pipeline& pipeline, SceneInputs inputs, const RecordRequest& request,
+                  const RunOptions& options, Watchers& watchers, KeptMap& kept) {
+  RunOptions watched = options;
+  watched.observer = &watchers.all;
+  request.tell("matching");
+  RecordedRun result{
+      kept.match(pipeline, std::move(inputs), watched, request.parts), {}, {}, 0, {}};
+  RunRecord& record = result.record;
+  record.pipeline_file = pipeline.file();
+  record.resolved_pipeline = pipeline.resolved_json();
+  record.overrides = request.overrides;
+  record.command_line = request.command_line;
+  record.threads = options.threads > 0 ? options.threads : thread_count();
+  describe_run(record, result.run, watchers);
+  describe_map(record, result.run, kept.summary());
+  record.peak_memory_bytes = peak_memory();
+  result.failure = failure_of(record);
+  add_warnings(result, kept.summary(), request, options.observer);
+  return result;
 }
 
 }  // namespace
@@ -206,25 +220,32 @@ RecordedRun record_scene(const Pipeline& pipeline, const SceneRequest& scene,
   KeptMap kept(request.folder);
   kept.add_bytes(inputs);
   if (request.report) add_bytes_of_report(inputs);
-  Watchers watchers(request, inputs.scene, folder, options.observer);
-  RunOptions watched = options;
-  watched.observer = &watchers.all;
-  request.tell("matching");
-  RecordedRun result{
-      match(pipeline, std::move(inputs), watched, request.parts, kept, folder), {}, depth, 0, {}};
+  Watchers watchers(request, inputs.scene, &folder, options.observer);
+  RecordedRun result = [&] {
+    try {
+      return match(pipeline, std::move(inputs), request, options, watchers, kept);
+    } catch (const Cancelled&) {
+      folder.discard();
+      throw;
+    }
+  }();
   request.tell("writing the results");
-  RunRecord& record = result.record;
-  record.pipeline_file = pipeline.file();
-  record.resolved_pipeline = pipeline.resolved_json();
-  record.overrides = request.overrides;
-  record.command_line = request.command_line;
-  record.threads = options.threads > 0 ? options.threads : thread_count();
-  describe_run(record, result.run, watchers);
-  describe_map(record, result.run, kept.summary());
-  result.failure = failure_of(record);
-  add_warnings(result, kept.summary(), request, options.observer);
+  result.depth = depth;
   write_files(result, request, watchers, folder, kept);
   return result;
+}
+
+RecordedRun record_in_memory(const Pipeline& pipeline, const SceneRequest& scene,
+                             const RecordRequest& request, const RunOptions& options) {
+  if (!request.dump.empty() || request.report || !request.explained.empty() ||
+      !request.depth.empty()) {
+    throw UsageError("dumps, reports, explanations and depths are files; give an output folder");
+  }
+  request.tell("reading the images");
+  SceneInputs inputs = read_scene(scene, pipeline);
+  KeptMap kept("");  // in memory, too
+  Watchers watchers(request, inputs.scene, nullptr, options.observer);
+  return match(pipeline, std::move(inputs), request, options, watchers, kept);
 }
 
 }  // namespace xgm

@@ -20,6 +20,19 @@ struct Noted {
   std::vector<std::string> warnings;
 };
 
+/// An image as it is stored in a file or in a program's memory: its values are no grey levels yet.
+struct UnscaledImage {
+  std::string file{};             ///< or what else messages call it
+  int depth = CV_8U;              ///< OpenCV's code of the stored type
+  std::vector<cv::Mat1f> planes;  ///< one (grey) or three (blue, green, red), values as stored
+  cv::Mat1b valid{};              ///< empty, or 0 where there is no data
+  bool is_shared = false;         ///< whether the planes are also somebody else's: never written to
+
+  cv::Size size() const { return planes.front().size(); }
+  bool is_valid(int y, int x) const { return valid.empty() || valid(y, x) != 0; }
+  bool holds_whole_numbers() const { return depth != CV_32F && depth != CV_64F; }
+};
+
 struct ReadPair {
   ImagePair pair;
   std::vector<std::string> notes;     ///< how values were converted, for the log
@@ -44,6 +57,15 @@ struct ReadPair {
 /// if a file is missing, empty, cut short, longer than its header says, not an image or has an
 /// unsupported number of channels, and if the images differ in size or depth.
 XGM_API ReadPair read_pair(const PairFiles& files);
+
+/// An image in memory of any depth and of one to four channels, the second or fourth of which is
+/// alpha. A float image of one channel is shared, not copied. A pixel has no data where alpha is 0,
+/// unless it is so everywhere, or where a value is not finite. Throws Error.
+XGM_API UnscaledImage to_unscaled(std::string name, cv::InputArray image);
+
+/// What read_pair() makes of two files, of images in memory. Shared planes that need no change are
+/// used as they are. Throws Error if the images differ in size or depth.
+XGM_API ReadPair to_pair(UnscaledImage left, UnscaledImage right);
 
 /// Reads disparities: PFM or another float image (px, not finite = none), or an image of whole
 /// numbers (PNG, PGM, ...) whose value / divisor is the disparity in pixels, 0 = none. Values as

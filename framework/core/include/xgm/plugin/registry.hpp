@@ -75,6 +75,9 @@ class XGM_API Registry {
         }});
   }
   void add(PluginInfo info);
+  /// Takes a plugin away, so that another one can have its name; false if there is none. Pipelines
+  /// that hold its stages keep them.
+  bool remove(std::string_view kind, std::string_view name);
 
   /// Loads a plugin file and adds what it holds; on failure records why, adds nothing, returns
   /// false.

@@ -31,6 +31,7 @@ struct RecordRequest {
   /// for which the whole is needed (reports, explanations, dumps, depths, a truth), the images are
   /// then read and the map is written part by part, and neither is in RecordedRun::run.
   ChooseParts parts{};
+  bool holds_maps = false;  ///< the maps are wanted in RecordedRun::run in any case
   /// Told what is done now ("reading the images").
   std::function<void(const std::string&)> tell = [](const std::string&) {};
 };
@@ -51,5 +52,10 @@ struct RecordedRun {
 /// is then missing. If it is Cancelled, nothing is left of it.
 XGM_API RecordedRun record_scene(const Pipeline& pipeline, const SceneRequest& scene,
                                  const RecordRequest& request, const RunOptions& options = {});
+
+/// The same without a folder: nothing is written, and the record lists no outputs. Throws
+/// UsageError if `request` asks for files.
+XGM_API RecordedRun record_in_memory(const Pipeline& pipeline, const SceneRequest& scene,
+                                     const RecordRequest& request, const RunOptions& options = {});
 
 }  // namespace xgm

@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Arrays in, maps out: the same as the command line's, for every type of image."""
+import numpy as np
+import pytest
+
+import xgm
+
+
+def as_written(folder):
+    return xgm.read_disparities(folder / "disparity.pfm")
+
+
+def same(a, b):
+    return a.dtype == b.dtype and np.array_equal(a, b, equal_nan=True)
+
+
+@pytest.mark.parametrize("name", xgm.pipelines())
+def test_every_shipped_pipeline_gives_the_bytes_of_the_command_line(name, scene, program, tmp_path):
+    scene.write(tmp_path / "scene")
+    program("run", name, "scene", "--output", "out")
+    result = xgm.load(name).run(scene.left, scene.right, scene.disparities)
+    assert same(result.disparity, as_written(tmp_path / "out"))
+    assert result.density > 0.3
+
+
+def test_what_is_written_is_what_the_command_line_writes(scene, sgm8, program, tmp_path):
+    scene.write(tmp_path / "scene")
+    program("run", "sgm8", "scene", "--output", "theirs")
+    ours = sgm8.run(scene=tmp_path / "scene", output=tmp_path / "ours")
+    for name in ("disparity.pfm", "disparity.png", "status.png"):
+        assert (tmp_path / "ours" / name).read_bytes() == (tmp_path / "theirs" / name).read_bytes()
+    assert ours.record["truth"][0]["region"] == "all"
+    assert [output["file"] for output in ours.record["outputs"]][0] == "disparity.pfm"
+
+
+@pytest.mark.parametrize("left, right", [("scene/im0.png", "scene/im1.png")])
+def test_files_and_arrays_give_the_same(scene, sgm8, tmp_path, left, right):
+    scene.write(tmp_path / "scene")
+    of_files = sgm8.run(tmp_path / left, str(tmp_path / right), scene.disparities)
+    assert same(of_files.disparity, sgm8.run(scene.left, scene.right, (0, 32)).disparity)
+
+
+def test_result_has_map_status_reverse_and_record(scene, sgm8):
+    result = sgm8.run(scene.left, scene.right, range(0, 32), truth=scene.truth)
+    assert result.disparity.dtype == np.float32 and result.disparity.shape == (120, 160)
+    assert result.status.dtype == np.uint8 and result.status.shape == (120, 160)
+    has = np.isfinite(result.disparity)
+    assert np.array_equal(has, result.is_status("valid") | result.is_status("filled"))
+    assert result.reverse.disparity.shape == (120, 160)
+    assert np.nanmax(result.reverse.disparity) <= 0.5
+    assert result.record["disparities"]["first"] == 0 and result.record["disparities"]["last"] == 31
+    assert result.record["truth"][0]["judged_pixels"] == 160 * 120
+    assert sum(result.status_shares().values()) == pytest.approx(1)
+    assert result._repr_png_().startswith(b"\x89PNG") and result.picture(status=True)
+    assert 0 < result.seconds < 60
+
+
+def test_types_of_images_that_mean_the_same_give_the_same(grey_scene, sgm8):
+    left, right, search = grey_scene.left, grey_scene.right, grey_scene.disparities
+    wanted = sgm8.run(left, right, search).disparity
+    variants = {
+        "float32": [image.astype(np.float32) for image in (left, right)],
+        "float64": [image.astype(np.float64) for image in (left, right)],
+        "one channel": [image[:, :, None] for image in (left, right)],
+        "big-endian": [image.astype(">f4") for image in (left, right)],
+        "rows apart": [np.repeat(image, 2, axis=0)[::2] for image in (left, right)],
+        "columns apart": [np.repeat(image, 2, axis=1)[:, ::2] for image in (left, right)],
+        "upside down": [image[::-1].copy()[::-1] for image in (left, right)],
+    }
+    for name, (a, b) in variants.items():
+        assert same(sgm8.run(a, b, search).disparity, wanted), name
+
+
+def test_16_bit_images_are_scaled_as_files_are(grey_scene, sgm8, program, tmp_path):
+    deep = xgm.synth((160, 120), (0, 32), seed=4, bits=16)
+    assert deep.left.dtype == np.uint16
+    deep.write(tmp_path / "scene")
+    program("run", "sgm8", "scene", "--output", "out")
+    result = sgm8.run(deep.left, deep.right, deep.disparities)
+    assert same(result.disparity, as_written(tmp_path / "out"))
+
+
+def test_order_of_channels(scene, sgm8):
+    wanted = sgm8.run(scene.left, scene.right, scene.disparities).disparity
+    blue_first = sgm8.run(scene.left[:, :, ::-1], scene.right[:, :, ::-1], scene.disparities,
+                          channels="bgr")
+    assert same(blue_first.disparity, wanted)
+
+
+def test_masks_arrays_alpha_and_numpys_own_mean_the_same(scene, sgm8):
+    left, right, search = scene.left, scene.right, scene.disparities
+    usable = np.ones((120, 160), bool)
+    usable[20:60, 70:110] = False
+    wanted = sgm8.run(left, right, search, mask=usable)
+    assert np.array_equal(wanted.is_status("masked"), ~usable)
+    hidden = np.ma.masked_array(left, mask=np.repeat(~usable[:, :, None], 3, axis=2))
+    alpha = np.dstack([left, np.where(usable, 255, 0).astype(np.uint8)])
+    for variant in (sgm8.run(hidden, right, search), sgm8.run(alpha, np.dstack(
+            [right, np.full((120, 160), 255, np.uint8)]), search),
+            sgm8.run(left, right, search, mask=(usable.astype(np.uint8) * 255, None))):
+        assert same(variant.disparity, wanted.disparity)
+        assert same(variant.status, wanted.status)
+    left_hidden = sgm8.run(left, right, search, mask=(None, usable))
+    assert not left_hidden.is_status("masked").any()
+
+
+def test_nan_in_float_images_is_no_data(grey_scene, sgm8):
+    left = grey_scene.left.astype(np.float32)
+    left[10:20, 40:60] = np.nan
+    before = left.copy()
+    result = sgm8.run(left, grey_scene.right.astype(np.float32), grey_scene.disparities)
+    assert result.is_status("masked").sum() == 200
+    assert same(left, before), "the user's array is left as it is"
+
+
+def test_float_images_of_levels_are_shared_and_others_left_alone(grey_scene):
+    from xgm import _native
+    from xgm._arrays import to_image
+
+    left = grey_scene.left.astype(np.float32)
+
+    def first_plane(image):
+        none = _native.ArrayTruth(None, None, None)
+        request = _native.request_of_arrays(to_image("left", image), to_image("right", image), True,
+                                            none)
+        return request.left_planes()[0]
+
+    assert np.shares_memory(first_plane(left), left)
+    assert np.shares_memory(first_plane(left[5:90, 3:77]), left)
+    unit = left / np.float32(255)
+    before = unit.copy()
+    assert not np.shares_memory(first_plane(unit), unit)
+    assert same(unit, before)
+
+
+def test_result_shares_its_memory_and_outlives_everything(scene):
+    result = xgm.load("sgm8").run(scene.left, scene.right, scene.disparities)
+    assert not result.disparity.flags.owndata and not result.status.flags.owndata
+    assert np.shares_memory(result.disparity, result._run.disparity())
+    disparity, wanted = result.disparity, result.disparity.copy()
+    del result
+    assert same(disparity, wanted)
+
+
+def test_tiles_and_memory_limit(scene, sgm8):
+    result = sgm8.run(scene.left, scene.right, scene.disparities, tiles=(80, 80))
+    assert result.density > 0.3
+    with pytest.raises(xgm.UsageError, match="allows"):
+        sgm8.run(scene.left, scene.right, scene.disparities, memory_limit=1e6)
