@@ -41,9 +41,18 @@ CONF
 }
 
 stop_slurm() {
+  local pids=()
   for file in "$work"/d.*.pid "$work/ctld.pid"; do
-    [ -f "$file" ] && kill "$(cat "$file")" 2>/dev/null
+    if [ -f "$file" ]; then pids+=("$(cat "$file")"); fi
   done
-  [ -f "$work/own_munged" ] && pkill -x munged
-  true
+  kill "${pids[@]}" 2>/dev/null
+  if [ -f "$work/own_munged" ]; then pkill -x munged; fi
+  for _ in $(seq 100); do  # they write their state before they end
+    local running=0
+    for pid in "${pids[@]}"; do
+      grep -qs '^State:[[:space:]]*[^ZX[:space:]]' "/proc/$pid/status" && running=1
+    done
+    [ "$running" = 0 ] && return
+    sleep 0.1
+  done
 }
