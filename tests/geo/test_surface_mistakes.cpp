@@ -210,19 +210,18 @@ TEST_CASE("options of pairs of images, which are never ignored in silence") {
 
 TEST_CASE("commands for one pair refuse pipelines that make surfaces, before any work") {
   const SatelliteDesk desk;
-  for (const auto& [arguments, remedy] :
-       {std::pair<std::string, std::string>{"plan dsm_tsgm8", "'matching'"},
-        {"plan dsm_tsgm8 --size 100x100 --disparities 0:9", "'matching'"},
-        {"speed tsgm8,dsm_tsgm8", "'matching'"},
-        {"explain dsm_tsgm8 3 4", "reasons.tif"}}) {
-    CAPTURE(arguments);
-    const Outcome outcome = desk.call(arguments);
+  for (const auto& call : {std::pair<std::string, std::string>{"plan dsm_tsgm8", "'matching'"},
+                           {"plan dsm_tsgm8 --size 100x100 --disparities 0:9", "'matching'"},
+                           {"speed tsgm8,dsm_tsgm8", "'matching'"},
+                           {"explain dsm_tsgm8 3 4", "reasons.tif"}}) {
+    CAPTURE(call.first);
+    const Outcome outcome = desk.call(call.first);
     CAPTURE(outcome.errors);
     CHECK(outcome.exit_code == 2);
     CHECK(outcome.output.empty());
     CHECK(std::ranges::count(outcome.errors, '\n') == 1);
     CHECK(contains(outcome.errors, "dsm_tsgm8.yaml: makes surfaces of satellite images"));
-    CHECK(contains(outcome.errors, remedy));
+    CHECK(contains(outcome.errors, call.second));
   }
   for (const std::string option : {"--dataset kitti", "--submit kitti", "--thresholds 1",
                                    "--scale 4", "--clip", "--region all", "--memory-limit 1GB"}) {

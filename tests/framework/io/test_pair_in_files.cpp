@@ -98,13 +98,13 @@ TEST_CASE("windows of TIFFs are those of the whole image, for every layout, dept
   };
   const Values all[] = {{CV_8U, 0, 256},   {CV_16U, 0, 65536}, {CV_16U, 0, 1000},
                         {CV_16S, -99, 99}, {CV_32F, 0, 1},     {CV_32F, -40, 900}};
-  for (const auto& [depth, low, high] : all) {
+  for (const Values& values : all) {
     for (const int count : {1, 3, 4}) {
       for (int style = 0; style < 16; ++style) {
-        CAPTURE(depth);
+        CAPTURE(values.depth);
         CAPTURE(count);
         CAPTURE(style);
-        check_tiffs(folder, depth, count, low, high,
+        check_tiffs(folder, values.depth, count, values.low, values.high,
                     {.bands_apart = (style & 1) != 0,
                      .tiled = (style & 2) != 0,
                      .compressed = (style & 4) != 0,
@@ -166,7 +166,8 @@ TEST_CASE("windows of PNGs are those of the whole image, for every kind there is
   const TemporaryFolder folder;
   const PairFiles files{.left = folder / "left.png", .right = folder / "right.png"};
   for (const int depth : {CV_8U, CV_16U}) {
-    for (const auto& [colour_type, bands] : {std::pair(0, 1), {2, 3}, {3, 1}, {4, 2}, {6, 4}}) {
+    for (const auto& kind : {std::pair(0, 1), {2, 3}, {3, 1}, {4, 2}, {6, 4}}) {
+      const int colour_type = kind.first, bands = kind.second;
       for (int style = 0; style < 4; ++style) {
         if (depth == CV_16U && colour_type == 3) continue;
         if (style >= 2 && colour_type != 0 && colour_type != 2) continue;
