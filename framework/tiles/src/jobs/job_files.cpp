@@ -70,8 +70,8 @@ void write_result(const JobManifest& manifest, const TileJob& job, const MatchRe
 MatchResult read_result(const JobManifest& manifest, const TileJob& job) {
   const std::string folder = jobs_folder(manifest);
   MatchResult result{read_stored_map(folder, job.name), std::nullopt};
-  const Json* const reverse = record_of(manifest, job).find("has_reverse");
-  if (reverse != nullptr && reverse->dump() == "true") {
+  const Json record = record_of(manifest, job);
+  if (record.at("has_reverse").dump() == "true") {
     result.reverse = read_stored_map(folder, reverse_name(job));
   }
   return result;
