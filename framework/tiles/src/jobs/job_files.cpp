@@ -8,6 +8,7 @@
 #include "xgm/base/json.hpp"
 #include "xgm/base/memory.hpp"
 #include "xgm/io/file.hpp"
+#include "xgm/io/output_folder.hpp"
 #include "xgm/io/stored_map.hpp"
 
 namespace xgm::tiles {
@@ -47,7 +48,7 @@ std::string hash_text(std::string_view bytes) {
 void write_result(const JobManifest& manifest, const TileJob& job, const MatchResult& result,
                   double seconds) {
   const fs::path folder = jobs_folder(manifest);
-  fs::create_directories(folder);
+  make_output_folder(folder.string());
   fs::remove(done_file(manifest, job));  // what it says is not true from now on
   std::vector<std::string> names = write_stored_map(folder.string(), job.name, result.forward);
   if (result.reverse) {

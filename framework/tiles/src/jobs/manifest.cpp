@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // A manifest as JSON.
 #include <algorithm>
-#include <filesystem>
+#include <limits>
 
 #include "jobs/job_files.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/base/json.hpp"
 #include "xgm/io/file.hpp"
+#include "xgm/io/map_in_parts.hpp"
+#include "xgm/io/output_folder.hpp"
 #include "xgm/pipeline/lookup.hpp"
 #include "xgm/plugin/version.hpp"
 #include "xgm/tiles/jobs.hpp"
 
 namespace xgm::tiles {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr int kFormat = 1;
 
@@ -98,6 +98,14 @@ TileJob job_of(const Json& json) {
   return job;
 }
 
+/// Of the process that joins the jobs: itself, pictures of the map, and one tile.
+double join_bytes(const JobManifest& manifest) {
+  constexpr double kProcess = 150e6, kMapBytes = 5;
+  const double all = std::numeric_limits<double>::infinity();
+  return kProcess + MapInParts::held_bytes(manifest.size, all) +
+         MapInParts::finish_bytes(manifest.size, all) + kMapBytes * manifest.tiles.size.area();
+}
+
 /// What decides of the results.
 Json question(const JobManifest& manifest) {
   Json inputs = Json::array();
@@ -146,7 +154,8 @@ void write_manifest(const JobManifest& manifest) {
   Json jobs = Json::array();
   for (const TileJob& job : manifest.jobs) jobs.push_back(to_json(job));
   json["jobs"] = std::move(jobs);
-  fs::create_directories(jobs_folder(manifest));
+  json["join_memory_bytes"] = join_bytes(manifest);
+  make_output_folder(jobs_folder(manifest));
   write_file(manifest.file, json.dump(2) + "\n");
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <chrono>
-#include <filesystem>
 #include <limits>
 
 #include "jobs/job_files.hpp"
@@ -8,6 +7,7 @@
 #include "xgm/base/error.hpp"
 #include "xgm/io/file.hpp"
 #include "xgm/io/map_in_parts.hpp"
+#include "xgm/io/output_folder.hpp"
 #include "xgm/io/pair_in_files.hpp"
 
 namespace xgm::tiles {
@@ -74,7 +74,7 @@ MapSummary join_jobs(const JobManifest& manifest, const std::string& folder) {
     if (!job.place.empty()) names.push_back(job.name);
   }
   require_done(manifest, names);
-  std::filesystem::create_directories(folder);
+  make_output_folder(folder);
   MapInParts map(folder, manifest.size, manifest.disparities,
                  std::numeric_limits<double>::infinity());
   for (const std::string& name : names) {
