@@ -8,6 +8,7 @@
 #include "xgm/plugin/handshake.hpp"
 #include "xgm/plugin/registry.hpp"
 #include "xgm/stage/aggregation.hpp"
+#include "xgm/stage/confidence.hpp"
 #include "xgm/stage/consistency.hpp"
 #include "xgm/stage/cost.hpp"
 #include "xgm/stage/dataset.hpp"

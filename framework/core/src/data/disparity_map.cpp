@@ -31,6 +31,7 @@ DisparityMap DisparityMap::clone() const {
   DisparityMap copy;
   copy.disparity = disparity.clone();
   copy.status = status.clone();
+  copy.confidence = confidence.clone();
   return copy;
 }
 

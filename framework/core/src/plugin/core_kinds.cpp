@@ -2,6 +2,7 @@
 #include "plugin/core_kinds.hpp"
 
 #include "xgm/stage/aggregation.hpp"
+#include "xgm/stage/confidence.hpp"
 #include "xgm/stage/consistency.hpp"
 #include "xgm/stage/cost.hpp"
 #include "xgm/stage/dataset.hpp"
@@ -29,6 +30,7 @@ void add_core_kinds(Registry& registry) {
   registry.add_kind<Refinement>();
   registry.add_kind<Filter>();
   registry.add_kind<Consistency>();
+  registry.add_kind<Confidence>();
 }
 
 }  // namespace xgm

@@ -6,6 +6,7 @@
 #include "data/first_pixel.hpp"
 #include "xgm/data/interval_mapping.hpp"
 #include "xgm/stage/aggregation.hpp"
+#include "xgm/stage/confidence.hpp"
 #include "xgm/stage/consistency.hpp"
 #include "xgm/stage/cost.hpp"
 #include "xgm/stage/dataset.hpp"
@@ -166,6 +167,13 @@ MaybeFault Consistency::fault_of(const MatchResult& result, const MatchResult& m
   if (auto fault = fault_of_kept(result.forward, maps.forward)) return fault;
   if (!result.reverse) return Fault{"the reverse map is gone"};
   return fault_of_kept(*result.reverse, *maps.reverse);
+}
+
+MaybeFault Confidence::fault_of(const cv::Mat1f& result, const Evidence& evidence, const Context&) {
+  if (result.size() != evidence.map.size()) return Fault{"the confidence has another size"};
+  return fault_if("a confidence is not in 0 to 1", result.size(), [&](int y) {
+    return [sure = result[y]](int x) { return sure[x] < 0 || sure[x] > 1; };
+  });
 }
 
 MaybeFault SearchRange::fault_of(const DisparityRange& result, const DisparityMap&,

@@ -54,10 +54,17 @@ class XGM_API DisparityMap {
   double density() const;
   /// A copy that shares no pixels with this map.
   DisparityMap clone() const;
-  std::size_t bytes() const { return disparity.total() * (sizeof(float) + 1); }
+  std::size_t bytes() const {
+    return disparity.total() * (sizeof(float) + 1) + confidence.total() * sizeof(float);
+  }
+  /// Takes the confidence of the map that this one was made of, if it has none of its own.
+  void inherit_confidence(const DisparityMap& origin) {
+    if (confidence.empty()) confidence = origin.confidence;
+  }
 
-  cv::Mat1f disparity;  ///< pixels; x_match = x_base - disparity
-  cv::Mat1b status;     ///< one Status per pixel
+  cv::Mat1f disparity;   ///< pixels; x_match = x_base - disparity
+  cv::Mat1b status;      ///< one Status per pixel
+  cv::Mat1f confidence;  ///< 0 to 1 per pixel, not finite = none; empty if no stage made it
 };
 
 }  // namespace xgm

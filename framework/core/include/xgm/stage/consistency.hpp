@@ -20,6 +20,12 @@ class XGM_API Consistency : public Stage {
   /// away.
   static std::optional<Fault> fault_of(const MatchResult& result, const MatchResult& maps,
                                        const Context& context);
+
+  /// Hands the confidences of both maps on.
+  static void complete(MatchResult& result, const MatchResult& maps) {
+    result.forward.inherit_confidence(maps.forward);
+    if (result.reverse && maps.reverse) result.reverse->inherit_confidence(*maps.reverse);
+  }
 };
 
 }  // namespace xgm

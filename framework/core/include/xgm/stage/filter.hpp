@@ -20,6 +20,11 @@ class XGM_API Filter : public Stage {
   /// disparities lie in it.
   static std::optional<Fault> fault_of(const DisparityMap& result, const DisparityMap& map,
                                        const ImagePair& pair, const Context& context);
+
+  /// Hands the confidence of the map on.
+  static void complete(DisparityMap& result, const DisparityMap& map, const ImagePair&) {
+    result.inherit_confidence(map);
+  }
 };
 
 }  // namespace xgm

@@ -15,7 +15,8 @@ namespace xgm {
 /// Holds one stage of kind `Kind`. slot(context, inputs...) runs it as the part of the pipeline
 /// that bears this slot's name: timed, logged, its errors carrying its path. What it returns is
 /// checked by Kind::fault_of(result, inputs..., context), if the kind has such a
-/// function; else a map by the rules of all maps.
+/// function; else a map by the rules of all maps. Kind::complete(result, inputs...) then adds what
+/// stages of the kind hand on without looking at it.
 template <class Kind>
 class Slot final : public SlotBase {
  public:
@@ -47,6 +48,9 @@ class Slot final : public SlotBase {
         here.require_none(Kind::fault_of(result, inputs..., here));
       } else if constexpr (requires { fault_of(result, MapBounds{result.size()}); }) {
         here.require_none(fault_of(result, MapBounds{result.size()}));
+      }
+      if constexpr (requires { Kind::complete(result, inputs...); }) {
+        Kind::complete(result, inputs...);
       }
       if constexpr (requires { Kind::watched(std::move(result), here); }) {
         return Kind::watched(std::move(result), here);
