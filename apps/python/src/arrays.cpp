@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "arrays.hpp"
 
+#include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
 #include <vector>
 
@@ -80,6 +81,12 @@ cv::Mat1b to_mask(const std::optional<py::array>& array) {
   const cv::Mat matrix = to_matrix(*array);
   if (matrix.type() != CV_8UC1) throw std::invalid_argument("a mask of another type than uint8");
   return array->dtype().kind() == 'b' ? cv::Mat1b(matrix != 0) : cv::Mat1b(matrix);
+}
+
+py::bytes to_png(const cv::Mat3b& picture) {
+  std::vector<unsigned char> bytes;
+  cv::imencode(".png", picture, bytes);
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
 DisparityMap to_disparity_map(const py::array& disparity, const py::array& status) {

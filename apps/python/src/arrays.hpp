@@ -28,6 +28,9 @@ cv::Mat1f to_map(const std::optional<py::array>& array);
 /// The same of uint8, or of bool, whose true becomes 255 in a copy.
 cv::Mat1b to_mask(const std::optional<py::array>& array);
 
+/// The bytes of a PNG.
+py::bytes to_png(const cv::Mat3b& picture);
+
 /// A map of the same memory. Throws UsageError if the arrays differ in size.
 DisparityMap to_disparity_map(const py::array& disparity, const py::array& status);
 

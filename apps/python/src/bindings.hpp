@@ -9,6 +9,7 @@ namespace xgm::python {
 void bind_registry(pybind11::module_& module);
 void bind_requests(pybind11::module_& module);
 void bind_runs(pybind11::module_& module);
+void bind_surfaces(pybind11::module_& module);
 void bind_stages(pybind11::module_& module);
 void bind_evaluation(pybind11::module_& module);
 void bind_files(pybind11::module_& module);

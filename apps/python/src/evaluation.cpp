@@ -2,7 +2,6 @@
 // Maps compared with truth, pictures of maps, and generated scenes.
 #include <pybind11/stl.h>
 
-#include <opencv2/imgcodecs.hpp>
 #include <string>
 #include <vector>
 
@@ -28,12 +27,6 @@ std::pair<std::string, std::vector<std::string>> judge(
   const py::gil_scoped_release release;
   const Json figures = to_json(evaluate_regions(map, known, rules));
   return {figures.dump(), truth_doubts(map, known.disparity, {})};
-}
-
-py::bytes to_png(const cv::Mat3b& picture) {
-  std::vector<unsigned char> bytes;
-  cv::imencode(".png", picture, bytes);
-  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
 /// What a camera would have stored: (height, width), or with a third axis red, green, blue.

@@ -14,6 +14,7 @@ PYBIND11_MODULE(_native, module) {
   bind_registry(module);
   bind_requests(module);
   bind_runs(module);
+  bind_surfaces(module);
   bind_stages(module);
   bind_evaluation(module);
   bind_files(module);

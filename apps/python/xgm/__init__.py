@@ -18,11 +18,13 @@ from ._result import STATUS, Map, Result
 from ._stage_calls import Context, Pair, View
 from ._stages import param, stage
 from ._stereo_matcher import StereoMatcher
+from ._surface import REASONS, SOURCES, Surface
 from ._synth import Calibration, SyntheticScene, sample, synth
 
 __all__ = [
     "Bench", "Calibration", "Cancelled", "ConfigError", "Context", "Diagnostic", "Error",
-    "Explanation", "Map", "Pair", "Pipeline", "Result", "STATUS", "StereoMatcher", "SyntheticScene",
+    "Explanation", "Map", "Pair", "Pipeline", "REASONS", "Result", "SOURCES",
+    "STATUS", "StereoMatcher", "Surface", "SyntheticScene",
     "UsageError", "View", "__version__", "bench", "describe", "evaluate", "find_scenes", "load",
     "load_plugin", "load_text", "param", "pipelines", "plugins", "read_disparities", "read_kitti",
     "read_point_cloud", "sample", "stage", "synth", "write_kitti", "write_pfm", "write_point_cloud",

@@ -12,6 +12,7 @@ from ._arrays import PathLike, is_path, to_image, to_map, to_range, to_threads, 
 from ._errors import ConfigError, Diagnostic, UsageError
 from ._progress import Progress, Watch, logger
 from ._result import Result
+from ._surface import Area, Paths, Surface, run_surface
 
 Changes = Mapping[str, Any]
 
@@ -125,6 +126,42 @@ class Pipeline:
         wishes.threads = to_threads(threads)
         with Watch(progress, cancel) as hooks:
             return Result(_native.run(self._native, request, wishes, hooks))
+
+    def run_surface(
+        self,
+        images: Paths = None,
+        *,
+        scene: Optional[PathLike] = None,
+        dem: Paths = None,
+        masks: Paths = None,
+        cameras: Paths = None,
+        area: Area = None,
+        band: int = 0,
+        clouds: Paths = None,
+        truth: Optional[PathLike] = None,
+        geoid: str = "",
+        output: Optional[PathLike] = None,
+        threads: int = 0,
+        progress: Progress = None,
+        cancel: Any = None,
+    ) -> Surface:
+        """Makes a surface model of satellite images; for pipelines of type surface (docs/satellite.md).
+
+        images: at least two files with RPC cameras; cameras: files of these, if the images have
+            none; masks: files, one for each image, 0 where it must not be used.
+        scene: a file in YAML that names all of these; what is given beside it counts.
+        dem: files of known heights, which bound the search.
+        area: (west, south, east, north) in degrees, "COLUMN,ROW:WIDTHxHEIGHT" of the first image, or
+            a file with an outline; None for what the first image shows.
+        band: of all images, from 1 on; 0 for the mean of all bands.
+        clouds: files of clouds of earlier runs instead of images: nothing is matched.
+        truth: a raster of true heights; the record then has the errors.
+        geoid: what heights are counted from: "egm96", "egm2008"; "" for the ellipsoid.
+        output: a folder for the files of `pipeline run`.
+        threads, progress, cancel and what is raised: as in run().
+        """
+        return run_surface(self._native, self._changes, images, scene, dem, masks, cameras, area, band,
+                           clouds, truth, geoid, output, threads, progress, cancel)
 
     def explain(self, x: int, y: int, left: Any = None, right: Any = None, disparities: Any = None,
                 *, mask: Any = None, channels: str = "rgb", truth: Any = None,

@@ -131,7 +131,10 @@ RecordedSurface record_surface(const Pipeline& pipeline, const SurfaceFiles& fil
   std::optional<TruthRecord> truth;
   if (!files.truth.empty()) truth.emplace(files.truth);
   const auto job = make_job(*family, files, truth ? &*truth : nullptr);
-  RunFolder folder(request.folder, files_written(files, request.folder), inputs);
+  std::optional<RunFolder> folder;
+  if (!request.folder.empty()) {
+    folder.emplace(request.folder, files_written(files, request.folder), inputs);
+  }
   RunRecorder recorder;
   SearchVolume search;
   Warnings warnings;
@@ -153,9 +156,11 @@ RecordedSurface record_surface(const Pipeline& pipeline, const SurfaceFiles& fil
   recorded.covered = share_of_heights(heights.values);
   if (recorded.covered == 0)
     recorded.failure = "the surface is empty: no pixel of any pair matched";
-  request.tell("writing the results");
-  folder.begin();
-  write_outputs(recorded.result, folder);
+  if (folder) {
+    request.tell("writing the results");
+    folder->begin();
+    write_outputs(recorded.result, *folder);
+  }
   Json json = record_of(pipeline, request, inputs, recorded, options);
   json["peak_memory_bytes"] = peak_memory();
   json["search"] = {{"disparities_per_pixel", search.per_pixel()}, {"widest", search.widest()}};
@@ -165,9 +170,12 @@ RecordedSurface record_surface(const Pipeline& pipeline, const SurfaceFiles& fil
   }
   json["stages"] = to_json(recorder.stages());
   json["warnings"] = warnings.all;
-  json["outputs"] = to_json(folder.outputs());
-  write_file(folder.file(kRecordFile), json.dump(2) + "\n");
-  folder.end();
+  if (folder) json["outputs"] = to_json(folder->outputs());
+  recorded.record = json.dump(2) + "\n";
+  recorded.warnings = std::move(warnings.all);
+  if (!folder) return recorded;
+  write_file(folder->file(kRecordFile), recorded.record);
+  folder->end();
   return recorded;
 }
 

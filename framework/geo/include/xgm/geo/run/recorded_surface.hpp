@@ -19,7 +19,7 @@ namespace xgm::geo {
 XGM_API std::vector<std::string> output_names(const SurfaceFiles& files);
 
 struct SurfaceRecordRequest {
-  std::string folder{};                     ///< made if it is missing
+  std::string folder{};                     ///< made if it is missing; empty: nothing is written
   std::string geoid{};                      ///< heights are above it: "egm96"; empty: the ellipsoid
   std::vector<Override> overrides{};        ///< that the pipeline was loaded with, for the record
   std::vector<std::string> command_line{};  ///< for the record
@@ -39,10 +39,12 @@ struct RecordedSurface {
   double covered = 0;   ///< share of the grid's cells that have a height
   double seconds = 0;   ///< of the run, without writing
   SurfaceTruth truth;   ///< empty without a truth
+  std::string record;   ///< what run.json holds
+  std::vector<std::string> warnings{};
   std::string failure;  ///< why the surface is of no use; empty if it has a height anywhere
 };
 
-/// Writes to the folder: dsm.tif (heights), pairs.tif and spread.tif (how many
+/// Writes to the folder, if there is one: dsm.tif (heights), pairs.tif and spread.tif (how many
 /// pairs have seen a cell, and how far they disagree), gap.tif, source.tif, orthoimage.tif, dsm.png
 /// and, last, run.json; if images were matched, also reasons.tif, cloud.ply and the cameras that
 /// were used as NAME_rpc.txt. docs/satellite.md says what is in them. Throws UsageError for what is
