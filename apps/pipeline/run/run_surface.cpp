@@ -85,6 +85,7 @@ int run_surface(const Pipeline& pipeline, const Registry& registry,
                 const RunOptions& run, Progress& progress) {
   const geo::SurfaceFiles files = surface_files(options);
   geo::SurfaceRecordRequest request{.folder = options.output,
+                                    .report = options.report,
                                     .geoid = options.geoid,
                                     .overrides = parse_overrides(options.assignments),
                                     .command_line = command_line,

@@ -33,7 +33,6 @@ void refuse_options_of_pairs(const RunCommandOptions& options) {
        "highest: 500}'"},
       {"--range-maps", !options.range_maps.empty(), "heights bound the search: --dem FILE"},
       {"--depth", !options.depth.empty(), "heights are in DIR/dsm.tif"},
-      {"--report", options.report, "DIR/dsm.png shows the surface"},
       {"--dump", !options.dump.empty(), "maps of windows are not kept"},
       {"--explain", !options.explain.empty(), "DIR/reasons.tif says why cells are empty"},
       {"--memory-limit", !options.memory_limit.empty(),

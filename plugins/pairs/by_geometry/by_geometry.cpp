@@ -5,84 +5,26 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "xgm/geo/image/pair_figures.hpp"
 #include "xgm/geo/stage/pairs.hpp"
-#include "xgm/geo/stage/range_prior.hpp"
 
 namespace {
 
 using namespace xgm;
 using namespace xgm::geo;
 
-constexpr double kDay = 86400;  // s
 using Figure = std::optional<double>;
 
-/// What decides about a pair; empty: unknown.
-struct PairFigures {
+/// A pair, and what decides about it.
+struct Candidate {
   PairChoice pair;
-  Figure convergence;  // degrees
-  Figure days;
-  Figure sun;  // degrees between the directions to the sun
-  double overlap = 0;
+  PairFigures figures;
 };
 
-/// Share of one image, on a grid of places, that the other one shows, on ground of middle height.
-double overlap_of(const SatelliteImage& a, const SatelliteImage& b) {
-  constexpr int kSteps = 9;
-  const HeightInterval heights = common_heights(a.camera, b.camera);
-  int shown = 0;
-  for (int k = 0; k < kSteps * kSteps; ++k) {
-    const cv::Point2d pixel((k % kSteps + 0.5) * a.size.width / kSteps,
-                            (k / kSteps + 0.5) * a.size.height / kSteps);
-    const auto point = a.camera.localize(pixel, (heights.min + heights.max) / 2);
-    if (!point || !b.camera.covers(*point, 0.5)) continue;
-    const cv::Point2d there = b.camera.project(*point);
-    shown += cv::Rect2d({}, cv::Size2d(b.size)).contains(there);
-  }
-  return shown / double{kSteps * kSteps};
-}
-
-/// Angle of the sights that meet on the ground in the middle of the first image.
-Figure convergence_of(const SatelliteImage& a, const SatelliteImage& b) {
-  const cv::Point2d middle(a.size.width / 2.0, a.size.height / 2.0);
-  const auto point = a.camera.localize(middle, a.camera.model().height.offset);
-  if (!point) return std::nullopt;
-  const auto one = a.camera.ray(middle), other = b.camera.ray(b.camera.project(*point));
-  if (!one || !other) return std::nullopt;
-  return angle_between(*one, *other);
-}
-
-Figure sun_between(const Acquisition& a, const Acquisition& b) {
-  if (!a.sun_azimuth || !a.sun_elevation || !b.sun_azimuth || !b.sun_elevation) return std::nullopt;
-  constexpr double kDegree = std::numbers::pi / 180;
-  const auto direction = [](double azimuth, double elevation) {
-    const double flat = std::cos(elevation * kDegree);
-    return cv::Vec3d(flat * std::sin(azimuth * kDegree), flat * std::cos(azimuth * kDegree),
-                     std::sin(elevation * kDegree));
-  };
-  const cv::Vec3d one = direction(*a.sun_azimuth, *a.sun_elevation);
-  const cv::Vec3d other = direction(*b.sun_azimuth, *b.sun_elevation);
-  return std::atan2(cv::norm(one.cross(other)), one.dot(other)) / kDegree;
-}
-
-PairFigures figures_of(const std::vector<SatelliteImage>& images, const PairChoice& pair) {
-  const SatelliteImage &a = images[pair.base], &b = images[pair.match];
-  PairFigures f{pair, convergence_of(a, b), std::nullopt, sun_between(a.acquisition, b.acquisition),
-                overlap_of(a, b)};
-  if (a.acquisition.time && b.acquisition.time) {
-    f.days = std::abs(*a.acquisition.time - *b.acquisition.time) / kDay;
-  }
-  return f;
-}
-
-Figure incidence_of(const SatelliteImage& image) {
-  const auto angles = image.camera.view_angles({image.size.width / 2.0, image.size.height / 2.0});
-  return angles ? Figure(angles->incidence) : std::nullopt;
-}
-
 /// Those closest in time, then those nearest to the best angle. What is unknown comes last.
-bool is_better(const PairFigures& a, const PairFigures& b) {
+bool is_better(const Candidate& one, const Candidate& other) {
+  const PairFigures &a = one.figures, &b = other.figures;
   constexpr double kBest = 20;  // degrees
   const auto distance = [](const PairFigures& f) {
     return f.convergence ? std::abs(*f.convergence - kBest) : 90;
@@ -141,16 +83,16 @@ class ByGeometry final : public Pairs {
     std::array<int, 6> refused{};
     std::vector<char> fits;
     for (const SatelliteImage& image : images) fits.push_back(fits_alone(image, context));
-    std::vector<PairFigures> chosen;
+    std::vector<Candidate> chosen;
     for (std::size_t i = 0; i < images.size(); ++i) {
       for (std::size_t j = i + 1; j < images.size(); ++j) {
-        const PairFigures f = figures_of(images, {i, j});
+        const PairFigures f = pair_figures(images[i], images[j]);
         tell(images[i].name + " " + images[j].name, f, context);
         const int fault = fits[i] != 0 && fits[j] != 0 ? fault_of(f) : 0;
         if (fault >= 0) {
           ++refused[static_cast<std::size_t>(fault)];
         } else {
-          chosen.push_back(f);
+          chosen.push_back({{i, j}, f});
         }
       }
     }
@@ -158,7 +100,7 @@ class ByGeometry final : public Pairs {
     std::ranges::stable_sort(chosen, is_better);
     chosen.resize(std::min(chosen.size(), static_cast<std::size_t>(p_.max_pairs)));
     std::vector<PairChoice> pairs;
-    for (const PairFigures& f : chosen) pairs.push_back(f.pair);
+    for (const Candidate& candidate : chosen) pairs.push_back(candidate.pair);
     context.figure("pairs", static_cast<double>(pairs.size()));
     return pairs;
   }
@@ -167,7 +109,8 @@ class ByGeometry final : public Pairs {
   /// Tells the figures of an image, too, and what is not known of it.
   bool fits_alone(const SatelliteImage& image, const Context& context) const {
     const Acquisition& a = image.acquisition;
-    const Figure incidence = incidence_of(image);
+    const auto view = view_of(image);
+    const Figure incidence = view ? Figure(view->incidence) : std::nullopt;
     std::string unknown;
     const auto look = [&](const Figure& value, const char* name) {
       if (value) {

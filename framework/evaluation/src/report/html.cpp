@@ -74,7 +74,8 @@ std::string ramp_legend(const Ramp& ramp, const Span& span, const std::string& u
   for (int i = 0; i <= kStops; ++i) {
     stops += (i > 0 ? "," : "") + css(ramp[static_cast<std::size_t>(255 * i / kStops)]);
   }
-  const int decimals = span.high - span.low < 10 ? 1 : 0;
+  const double width = span.high - span.low;
+  const int decimals = width < 0.1 ? 3 : width < 1 ? 2 : width < 10 ? 1 : 0;
   for (int i = 0; i <= kTicks; ++i) {
     const double value = span.low + (span.high - span.low) * i / kTicks;
     const bool is_last = i == kTicks;
@@ -102,6 +103,14 @@ std::string figure(const Picture& picture) {
   const std::string id = picture.id.empty() ? "" : " id=\"" + picture.id + "\"";
   return "<figure><img" + id + " alt=\"" + title + "\" src=\"" + picture.uri +
          "\"><figcaption><b>" + title + "</b>" + picture.legend + "</figcaption></figure>\n";
+}
+
+std::string facts_list(const std::vector<std::pair<std::string, std::string>>& facts) {
+  std::string html = "<dl class=\"facts\">";
+  for (const auto& [name, value] : facts) {
+    html += "<div><dt>" + html_text(name) + "</dt><dd>" + html_text(value) + "</dd></div>";
+  }
+  return html + "</dl>\n";
 }
 
 std::string details(const std::string& summary, const std::string& content) {

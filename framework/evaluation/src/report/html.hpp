@@ -38,6 +38,9 @@ struct Picture {
 };
 std::string figure(const Picture& picture);
 
+/// Names and values, as text.
+std::string facts_list(const std::vector<std::pair<std::string, std::string>>& facts);
+
 std::string details(const std::string& summary, const std::string& content);
 
 }  // namespace xgm::report

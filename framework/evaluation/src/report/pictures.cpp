@@ -36,6 +36,13 @@ cv::Mat3b in_classes(const cv::Mat1b& codes, const std::vector<Class>& classes) 
   return picture;
 }
 
+std::vector<double> shares_of(const cv::Mat1b& codes, std::size_t classes) {
+  std::vector<double> shares(classes);
+  for (const uchar code : codes) ++shares.at(code);
+  for (double& share : shares) share /= static_cast<double>(codes.total());
+  return shares;
+}
+
 cv::Mat1f error_map(const DisparityMap& map, const cv::Mat1f& truth, const Sampling& sampling) {
   cv::Mat1f errors(sampling.shown());
   for (int y = 0; y < errors.rows; ++y) {

@@ -15,6 +15,9 @@ namespace xgm::report {
 cv::Mat3b in_ramp(const cv::Mat1f& values, const Ramp& ramp, const Span& span);
 cv::Mat3b in_classes(const cv::Mat1b& codes, const std::vector<Class>& classes);
 
+/// Share of each class, 0 to 1.
+std::vector<double> shares_of(const cv::Mat1b& codes, std::size_t classes);
+
 /// |disparity - truth|, px, of the pixels shown; NaN where either is missing.
 cv::Mat1f error_map(const DisparityMap& map, const cv::Mat1f& truth, const Sampling& sampling);
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "report/html.hpp"
 #include "report/yaml_text.hpp"
@@ -82,10 +84,6 @@ void add_thresholds(const Json& regions, std::vector<Row>& rows) {
   }
 }
 
-std::string fact(const std::string& name, const std::string& value) {
-  return "<div><dt>" + name + "</dt><dd>" + value + "</dd></div>";
-}
-
 }  // namespace
 
 double number_at(const Json& record, const std::string& pointer) {
@@ -112,21 +110,21 @@ double average_error(const Json& record) {
 std::string facts_html(const Json& record) {
   if (!record.is_object()) return "";
   const auto whole = [&](const char* pointer) { return number(number_at(record, pointer), 0); };
-  std::string html = "<dl class=\"facts\">";
-  html += fact("Image", whole("/scene/width") + " × " + whole("/scene/height") + " px");
-  html += fact("Disparities searched",
-               whole("/disparities/first") + " to " + whole("/disparities/last") + " px");
-  html += fact("Pixels with a disparity", percent(number_at(record, "/valid_share")));
+  std::vector<std::pair<std::string, std::string>> facts;
+  facts.emplace_back("Image", whole("/scene/width") + " × " + whole("/scene/height") + " px");
+  facts.emplace_back("Disparities searched",
+                     whole("/disparities/first") + " to " + whole("/disparities/last") + " px");
+  facts.emplace_back("Pixels with a disparity", percent(number_at(record, "/valid_share")));
   if (!at(record, "/truth").empty()) {
-    const std::string region = html_text(text_at(ranking_region(record), "/region"));
-    html += fact("Total error &gt; 1 px, " + region, percent(total_error(record, 1)));
-    html += fact("Average error, " + region, number(average_error(record), 3) + " px");
+    const std::string region = text_at(ranking_region(record), "/region");
+    facts.emplace_back("Total error > 1 px, " + region, percent(total_error(record, 1)));
+    facts.emplace_back("Average error, " + region, number(average_error(record), 3) + " px");
   }
   const std::string threads = whole("/threads");
-  html += fact("Matching, " + threads + (threads == "1" ? " thread" : " threads"),
-               seconds(number_at(record, "/seconds/matching")));
-  html += fact("Memory at most", megabytes(number_at(record, "/peak_memory_bytes")));
-  return html + "</dl>\n";
+  facts.emplace_back("Matching, " + threads + (threads == "1" ? " thread" : " threads"),
+                     seconds(number_at(record, "/seconds/matching")));
+  facts.emplace_back("Memory at most", megabytes(number_at(record, "/peak_memory_bytes")));
+  return facts_list(facts);
 }
 
 std::string evaluation_html(const Json& record) {

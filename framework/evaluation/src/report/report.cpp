@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "report/assets.hpp"
+#include "report/document.hpp"
 #include "report/scene_html.hpp"
 #include "report/viewer_data.hpp"
-#include "xgm/plugin/version.hpp"
 
 namespace xgm {
 namespace {
@@ -17,19 +17,6 @@ constexpr double kMaxPixels = 1'500'000;
 constexpr double kFewestPixels = 2'000;
 constexpr double kBytesPerPixel = 6;  // and run, about, in the page
 constexpr int kAttempts = 8;
-
-// Scripts and pictures of the page itself, and nothing from anywhere else.
-constexpr const char* kPolicy =
-    "default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
-
-std::string head(const Report& page) {
-  return std::string("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n") +
-         "<meta http-equiv=\"Content-Security-Policy\" content=\"" + kPolicy + "\">\n" +
-         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n" +
-         "<meta name=\"generator\" content=\"xgm " XGM_VERSION "\">\n<title>" +
-         html_text(page.title) + "</title>\n<style>" + kStyle + "</style></head>\n<body><header>" +
-         "<h1>" + html_text(page.title) + "</h1>" + "</header>\n<main>\n";
-}
 
 std::string contents(const Report& page) {
   if (page.scenes.size() < 2) return "";
@@ -42,13 +29,13 @@ std::string contents(const Report& page) {
 }
 
 std::string page_of(const Report& page, const std::vector<SceneView>& views, double pixels) {
-  std::string html = head(page) + page.tables_html + kViewer + contents(page);
+  std::string html = page.tables_html + kViewer + contents(page);
   for (std::size_t i = 0; i < views.size(); ++i)
     html += scene_html(views[i], i, views.size() == 1, pixels);
-  html += "</main>\n<footer>xgm " XGM_VERSION "</footer>\n";
-  html += "<script type=\"application/json\" id=\"data\">" +
-          script_text(viewer_data(views, pixels)) + "</script>\n<script>" + kProgram + "</script>";
-  return html + "</body></html>\n";
+  return document(page.title, html,
+                  "<script type=\"application/json\" id=\"data\">" +
+                      script_text(viewer_data(views, pixels)) + "</script>\n<script>" + kProgram +
+                      "</script>");
 }
 
 }  // namespace

@@ -30,13 +30,6 @@ std::string disparity_figure(const std::string& title, const cv::Mat1f& map, con
                  ramp_legend(disparity_ramp(), view.span, " px", missing)});
 }
 
-std::vector<double> shares_of(const cv::Mat1b& codes, std::size_t classes) {
-  std::vector<double> shares(classes);
-  for (const uchar code : codes) ++shares.at(code);
-  for (double& share : shares) share /= static_cast<double>(codes.total());
-  return shares;
-}
-
 std::string status_figure(const cv::Mat1b& codes, const Sampling& sampling) {
   return figure({"Status", png_uri(in_classes(sampled(codes, sampling), status_classes())),
                  class_legend(status_classes(), shares_of(codes, status_classes().size()))});

@@ -140,4 +140,8 @@ double angle_between(const Ray& a, const Ray& b) {
   return std::atan2(sine, a.direction.dot(b.direction)) / kDegree;
 }
 
+HeightInterval common_heights(const RpcCamera& a, const RpcCamera& b) {
+  return {std::max(a.heights().min, b.heights().min), std::min(a.heights().max, b.heights().max)};
+}
+
 }  // namespace xgm::geo

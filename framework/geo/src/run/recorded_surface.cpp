@@ -9,6 +9,7 @@
 
 #include "run/search_volume.hpp"
 #include "run/surface_outputs.hpp"
+#include "run/surface_report.hpp"
 #include "run/truth_record.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/base/json.hpp"
@@ -34,12 +35,14 @@ std::vector<NamedFile> files_read(const Pipeline& pipeline, const SurfaceFiles& 
   return read;
 }
 
-std::vector<NamedFile> files_written(const SurfaceFiles& files, const std::string& folder) {
+std::vector<NamedFile> files_written(const SurfaceFiles& files,
+                                     const SurfaceRecordRequest& request) {
   std::vector<NamedFile> written;
   const auto add = [&](const std::string& name) {
-    written.push_back({"--output", (fs::path(folder) / name).string()});
+    written.push_back({"--output", (fs::path(request.folder) / name).string()});
   };
   for (const std::string& name : output_names(files)) add(name);
+  if (request.report) add(kReportFile);
   add(kRecordFile);
   return written;
 }
@@ -96,6 +99,7 @@ Json record_of(const Pipeline& pipeline, const SurfaceRecordRequest& request,
                       {"resolved", Json::parse(pipeline.resolved_json())}};
   json["scene"] = {{"inputs", to_json(identify_files(inputs))}};
   json["grid"] = grid_json(recorded.result.grid, recorded.result.fused.heights);
+  json["images"] = images_json(recorded.result);
   json["pairs"] = pairs_json(recorded.result);
   json["covered_share"] = recorded.covered;
   json["cells"] = cells_json(recorded.result);
@@ -112,6 +116,19 @@ class Warnings final : public Observer {
   }
   std::vector<std::string> all;
 };
+
+/// The record last: it tells that all is there.
+void finish(RunFolder& folder, const SurfaceRecordRequest& request, RecordedSurface& recorded,
+            Json json) {
+  if (request.report) {
+    const std::string title = "Surface " + fs::absolute(request.folder).filename().string();
+    write_file(folder.file(kReportFile), surface_report(title, recorded));
+  }
+  json["outputs"] = to_json(folder.outputs());
+  recorded.record = json.dump(2) + "\n";
+  write_file(folder.file(kRecordFile), recorded.record);
+  folder.end();
+}
 
 double share_of_heights(const cv::Mat1f& heights) {
   const auto count =
@@ -133,7 +150,7 @@ RecordedSurface record_surface(const Pipeline& pipeline, const SurfaceFiles& fil
   const auto job = make_job(*family, files, truth ? &*truth : nullptr);
   std::optional<RunFolder> folder;
   if (!request.folder.empty()) {
-    folder.emplace(request.folder, files_written(files, request.folder), inputs);
+    folder.emplace(request.folder, files_written(files, request), inputs);
   }
   RunRecorder recorder;
   SearchVolume search;
@@ -170,12 +187,9 @@ RecordedSurface record_surface(const Pipeline& pipeline, const SurfaceFiles& fil
   }
   json["stages"] = to_json(recorder.stages());
   json["warnings"] = warnings.all;
-  if (folder) json["outputs"] = to_json(folder->outputs());
   recorded.record = json.dump(2) + "\n";
   recorded.warnings = std::move(warnings.all);
-  if (!folder) return recorded;
-  write_file(folder->file(kRecordFile), recorded.record);
-  folder->end();
+  if (folder) finish(*folder, request, recorded, std::move(json));
   return recorded;
 }
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "xgm/geo/camera/write_rpc.hpp"
+#include "xgm/geo/image/pair_figures.hpp"
 #include "xgm/geo/run/relief.hpp"
 #include "xgm/io/file.hpp"
 #include "xgm/io/image_io.hpp"
@@ -33,6 +34,8 @@ LabelRaster labels(const SurfaceResult& result, const cv::Mat1b& values, int cod
   for (int i = 0; i < codes; ++i) raster.metadata["code_" + std::to_string(i)] = name(i);
   return raster;
 }
+
+Json known(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
 std::string reason_name(int code) { return std::string(to_string(static_cast<CellReason>(code))); }
 
@@ -77,13 +80,39 @@ Json grid_json(const GridSpec& grid, const Raster& heights) {
           {"heights_above", heights.metadata.at("vertical_datum")}};
 }
 
+Json images_json(const SurfaceResult& result) {
+  Json images = Json::array();
+  for (const SatelliteImage& image : result.images) {
+    const auto view = view_of(image);
+    const Acquisition& a = image.acquisition;
+    Json json{{"name", image.name}, {"file", image.file}};
+    json["azimuth_deg"] = view ? Json(view->azimuth) : Json();
+    json["incidence_deg"] = view ? Json(view->incidence) : Json();
+    json["sun_azimuth_deg"] = known(a.sun_azimuth);
+    json["sun_elevation_deg"] = known(a.sun_elevation);
+    json["time_s"] = known(a.time);
+    json["cloud_cover"] = known(a.cloud_cover);
+    images.push_back(std::move(json));
+  }
+  return images;
+}
+
 Json pairs_json(const SurfaceResult& result) {
   Json pairs = Json::array();
   for (std::size_t i = 0; i < result.clouds.size(); ++i) {
-    pairs.push_back({{"base", result.clouds[i].base},
-                     {"match", result.clouds[i].match},
-                     {"points", result.clouds[i].points.size()},
-                     {"above_fused_m", result.fused.offsets[i]}});
+    Json json{{"base", result.clouds[i].base},
+              {"match", result.clouds[i].match},
+              {"points", result.clouds[i].points.size()},
+              {"above_fused_m", result.fused.offsets[i]}};
+    if (!result.images.empty()) {
+      const PairChoice& pair = result.pairs[i];
+      const PairFigures figures = pair_figures(result.images[pair.base], result.images[pair.match]);
+      json["convergence_deg"] = known(figures.convergence);
+      json["days"] = known(figures.days);
+      json["sun_deg"] = known(figures.sun);
+      json["overlap"] = figures.overlap;
+    }
+    pairs.push_back(std::move(json));
   }
   return pairs;
 }

@@ -11,6 +11,8 @@ namespace xgm::geo {
 void write_outputs(const SurfaceResult& result, const RunFolder& folder);
 
 Json grid_json(const GridSpec& grid, const Raster& heights);
+/// From where each image was taken, where the sun stood: null where it is not known.
+Json images_json(const SurfaceResult& result);
 Json pairs_json(const SurfaceResult& result);
 /// How many cells there are, and the share of each reason and source.
 Json cells_json(const SurfaceResult& result);

@@ -48,10 +48,6 @@ double parallax(const SatelliteImage& base, const SatelliteImage& match,
   return cv::norm(match.camera.project(*high) - match.camera.project(*low));
 }
 
-HeightInterval common_heights(const RpcCamera& a, const RpcCamera& b) {
-  return {std::max(a.heights().min, b.heights().min), std::min(a.heights().max, b.heights().max)};
-}
-
 DemCoverage dem_coverage(const SatelliteImage& image, const cv::Rect& window,
                          const HeightField& dem) {
   // In pixels: finer than the postings of global DEMs.

@@ -72,4 +72,7 @@ class XGM_API RpcCamera {
 /// Angle between two lines of sight, degrees.
 XGM_API double angle_between(const Ray& a, const Ray& b);
 
+/// Heights that both cameras were made for.
+XGM_API HeightInterval common_heights(const RpcCamera& a, const RpcCamera& b);
+
 }  // namespace xgm::geo

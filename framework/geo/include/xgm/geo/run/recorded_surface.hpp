@@ -20,6 +20,7 @@ XGM_API std::vector<std::string> output_names(const SurfaceFiles& files);
 
 struct SurfaceRecordRequest {
   std::string folder{};                     ///< made if it is missing; empty: nothing is written
+  bool report = false;                      ///< also write report.html
   std::string geoid{};                      ///< heights are above it: "egm96"; empty: the ellipsoid
   std::vector<Override> overrides{};        ///< that the pipeline was loaded with, for the record
   std::vector<std::string> command_line{};  ///< for the record

@@ -60,9 +60,6 @@ XGM_API std::optional<Interval> disparities_between(const RectifiedPair& pair,
 XGM_API double parallax(const SatelliteImage& base, const SatelliteImage& match,
                         const HeightInterval& heights);
 
-/// Heights that both cameras were made for.
-XGM_API HeightInterval common_heights(const RpcCamera& a, const RpcCamera& b);
-
 /// What a DEM knows of a window of an image, by every 16th pixel, or fewer of large windows.
 struct DemCoverage {
   HeightInterval heights;       ///< lowest and highest place; of no meaning if `share` is 0
