@@ -9,9 +9,11 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "options/satellites.hpp"
 #include "options/scene_request.hpp"
 #include "options/surfaces.hpp"
 #include "options/values.hpp"
+#include "plan/plan_surface.hpp"
 #include "terminal/console.hpp"
 #include "terminal/observer.hpp"
 #include "xgm/base/error.hpp"
@@ -23,6 +25,7 @@ namespace xgm::cli {
 namespace {
 
 struct Options : SceneOptions {
+  SatelliteFiles satellites;
   std::string size;
   bool all_stages = false;
   bool json = false;
@@ -159,14 +162,34 @@ RunPlan plan_of_scene(const SceneRequest& scene, const Pipeline& pipeline, int t
   return plan_run(RunTrace::of_reduced(pipeline, match, {.threads = threads}), request);
 }
 
+void refuse_options_of_pairs(const Options& options) {
+  refuse_for_surfaces({{"--left", !options.images.left.empty(), "give --images"},
+                       {"--size", !options.size.empty(), "give the images, or a scene in YAML"},
+                       {"--disparities", !options.disparities.empty(), "heights bound the search"},
+                       {"--range-maps", !options.range_maps.empty(), "heights bound the search"},
+                       {"--stages", options.all_stages, "--json has all stages"}});
+}
+
+void refuse_options_of_surfaces(const Options& options) {
+  if (options.satellites == SatelliteFiles{}) return;
+  throw UsageError(options.pipeline +
+                   ": matches one pair of images; --images and what belongs to them are for "
+                   "pipelines of type surface, such as dsm_tmgm16");
+}
+
 int plan(const Options& options) {
   set_up_logging(options.log_level);
   const Registry registry = make_registry(options.plugins);
   const auto named = load_named(options.pipeline, registry, parse_overrides(options.assignments));
   if (!named) return kUsage;
   const Pipeline& pipeline = *named;
-  require_pair_pipeline(pipeline, "plan", "plan the one that it names as 'matching'");
   const int threads = use_threads(options.threads);
+  if (makes_surfaces(pipeline)) {
+    refuse_options_of_pairs(options);
+    return plan_surface(pipeline, registry, {options.scene, options.satellites, options.json},
+                        threads);
+  }
+  refuse_options_of_surfaces(options);
   Progress progress;
   progress.begin("measuring the speed of this machine");
   PlanRequest request;
@@ -192,6 +215,7 @@ void add_plan_options(Command command, Options& options) {
       .excludes(command.find("--left"))
       .excludes(range_maps);
   add_matching(command, options);
+  add_satellite_files(command, options.satellites);
   add_surroundings(command, options);
 }
 

@@ -31,42 +31,8 @@ void add_insights(Command command, RunCommandOptions& options) {
       .one_value_each();
 }
 
-void add_satellites(Command command, RunCommandOptions& options) {
-  auto images =
-      command
-          .option(
-              "--images", options.satellite_images,
-              "For pipelines of type surface: satellite images with RPC cameras, in their files or "
-              "beside them; or a scene in YAML in place of SCENE_DIR, whose values the options "
-              "below replace")
-          .type_name("FILE...")
-          .excludes(command.find("scene"));
-  command
-      .option("--masks", options.satellite_masks,
-              "One per image: not 0 where it may be used (no cloud, no water)")
-      .type_name("FILE...");
-  command
-      .option("--cameras", options.satellite_cameras,
-              "One per image: the vendor's file with its RPC, in place of what the image holds")
-      .type_name("FILE...");
-  command
-      .option("--dem", options.dem,
-              "Known heights that bound the search: tiles, or a folder of them. DATUM if a file "
-              "does not say what heights are counted from: egm96 (SRTM), egm2008, ellipsoid, "
-              "EPSG:CODE")
-      .type_name("FILE[,DATUM]...");
-  command
-      .option("--area", options.area,
-              "Part of the ground to be matched: degrees; a window of the first image, px; a file "
-              "with a polygon (GeoJSON, Shapefile, KML), or a raster. Without it, what the first "
-              "image of each pair shows, or all points of the clouds")
-      .type_name("WEST,SOUTH,EAST,NORTH|COLUMN,ROW:WIDTHxHEIGHT|FILE");
-  constexpr int kMaxBands = 10000;
-  command
-      .option("--band", options.band,
-              "Which band of the images is matched, from 1 on; without it the mean of all")
-      .type_name("N")
-      .range(1, kMaxBands);
+void add_surface(Command command, RunCommandOptions& options) {
+  add_satellite_files(command, options.satellites);
   command
       .option("--geoid", options.geoid,
               "Heights of the surface are above this geoid: egm96, or another one whose grid PROJ "
@@ -74,12 +40,12 @@ void add_satellites(Command command, RunCommandOptions& options) {
       .type_name("NAME")
       .value_of_name_alone("egm96");
   command
-      .option("--clouds", options.satellite_clouds,
+      .option("--clouds", options.clouds,
               "In place of images: clouds of earlier runs (DIR/cloud.ply), which are made a "
               "surface of again without matching")
       .type_name("FILE.ply...")
       .existing_file()
-      .excludes(images);
+      .excludes(command.find("--images"));
 }
 
 }  // namespace
@@ -108,7 +74,7 @@ void add_run_options(Command command, RunCommandOptions& options) {
                "Also write DIR/report.html: one page, for any browser, without network, that "
                "shows maps, values, levels, times and configuration");
   add_depth(command, options);
-  add_satellites(command, options);
+  add_surface(command, options);
   add_surroundings(command, options);
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "options/satellites.hpp"
 #include "options/scene_options.hpp"
 
 namespace xgm::cli {
@@ -17,13 +18,8 @@ struct RunCommandOptions : SceneOptions {
   std::string cloud;
   std::string depth;
   std::vector<std::string> explain;  ///< "X,Y" or "every=N"
-  std::vector<std::string> satellite_images;
-  std::vector<std::string> satellite_clouds;
-  std::vector<std::string> satellite_masks;
-  std::vector<std::string> satellite_cameras;
-  std::vector<std::string> dem;
-  std::string area;
-  int band = 0;
+  SatelliteFiles satellites;
+  std::vector<std::string> clouds;  ///< of earlier runs
   std::string geoid;
 };
 

@@ -20,24 +20,6 @@ namespace xgm::cli {
 #ifdef XGM_HAS_GEO
 namespace {
 
-/// The scene's files, those of the command line in their place.
-geo::SurfaceFiles surface_files(const RunCommandOptions& options) {
-  geo::SurfaceFiles files;
-  if (!options.scene.empty()) files = geo::read_surface_scene(options.scene);
-  const auto replace = [](auto& value, const auto& given) {
-    if (given != std::decay_t<decltype(given)>{}) value = given;
-  };
-  replace(files.images, options.satellite_images);
-  replace(files.masks, options.satellite_masks);
-  replace(files.cameras, options.satellite_cameras);
-  replace(files.dem, options.dem);
-  replace(files.area, options.area);
-  replace(files.band, options.band);
-  replace(files.clouds, options.satellite_clouds);
-  replace(files.truth, options.truth);
-  return files;
-}
-
 /// "4.1 % occluded, 0.3 % peak", the most first; "" without empty cells.
 std::string empty_cells(const cv::Mat1b& reasons) {
   const auto shares = geo::cell_shares(reasons);
@@ -83,7 +65,9 @@ void print_summary(const geo::RecordedSurface& run, const std::string& folder) {
 int run_surface(const Pipeline& pipeline, const Registry& registry,
                 const RunCommandOptions& options, const std::vector<std::string>& command_line,
                 const RunOptions& run, Progress& progress) {
-  const geo::SurfaceFiles files = surface_files(options);
+  geo::SurfaceFiles files = surface_files(options.scene, options.satellites);
+  if (!options.clouds.empty()) files.clouds = options.clouds;
+  if (!options.truth.empty()) files.truth = options.truth;
   geo::SurfaceRecordRequest request{.folder = options.output,
                                     .report = options.report,
                                     .geoid = options.geoid,

@@ -8,8 +8,8 @@ namespace xgm::cli {
 namespace {
 
 void require_inputs(const Pipeline& pipeline, const RunCommandOptions& options) {
-  const bool has_inputs = !options.satellite_images.empty() || !options.satellite_clouds.empty() ||
-                          !options.scene.empty();
+  const bool has_inputs =
+      !options.satellites.images.empty() || !options.clouds.empty() || !options.scene.empty();
   if (!options.images.left.empty()) {
     throw UsageError(pipeline.file() +
                      ": makes surfaces of satellite images; give them as --images, not as --left "
@@ -51,10 +51,8 @@ void refuse_options_of_pairs(const RunCommandOptions& options) {
 }
 
 void refuse_options_of_surfaces(const Pipeline& pipeline, const RunCommandOptions& options) {
-  const bool given = !options.satellite_images.empty() || !options.satellite_clouds.empty() ||
-                     !options.satellite_masks.empty() || !options.satellite_cameras.empty() ||
-                     !options.dem.empty() || !options.area.empty() || options.band != 0 ||
-                     !options.geoid.empty();
+  const bool given =
+      options.satellites != SatelliteFiles{} || !options.clouds.empty() || !options.geoid.empty();
   if (!given) return;
   throw UsageError(pipeline.file() +
                    ": matches one pair of images; --images, --clouds, --masks, --cameras, --dem, "

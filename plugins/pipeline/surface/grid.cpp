@@ -97,6 +97,15 @@ double ground_pixel(const SatelliteImage& image) {
   return std::max(0.05, std::round(length * 20) / 20);
 }
 
+double cells_shown(const SurfaceRequest& request, const SatelliteImage& image, double step) {
+  const auto ground = request.area
+                          ? request.area
+                          : footprint(image, window_of(request, image), image.camera.heights());
+  if (!ground) return 0;
+  const Crs crs = utm_crs(((*ground)[0] + (*ground)[2]) / 2, ((*ground)[1] + (*ground)[3]) / 2);
+  return box_in(crs, *ground).area() / (step * step);
+}
+
 Crs choose_crs(const std::optional<cv::Vec4d>& area, const std::vector<PointCloud>& clouds) {
   const Box box = area ? Box{{(*area)[0], (*area)[1]}, {(*area)[2], (*area)[3]}} : box_of(clouds);
   return utm_crs((box.low.x + box.high.x) / 2, (box.low.y + box.high.y) / 2);

@@ -19,6 +19,9 @@ bool overlap(const SatelliteImage& base, const SatelliteImage& match);
 /// Length of a pixel on the ground, m, in steps of 5 cm.
 double ground_pixel(const SatelliteImage& image);
 
+/// Cells of `step` m of a grid around what is wanted of an image, about.
+double cells_shown(const SurfaceRequest& request, const SatelliteImage& image, double step);
+
 /// The zone of UTM in the middle of the requested area, or of the points, which are in degrees.
 /// Throws Error if there is neither.
 Crs choose_crs(const std::optional<cv::Vec4d>& area, const std::vector<PointCloud>& clouds);

@@ -4,8 +4,10 @@
 #include "plugins/pipeline/surface/cloud.hpp"
 #include "plugins/pipeline/surface/coarse.hpp"
 #include "plugins/pipeline/surface/grid.hpp"
+#include "xgm/base/memory.hpp"
 #include "xgm/data/image_parts.hpp"
 #include "xgm/geo/image/resample.hpp"
+#include "xgm/stage/needs.hpp"
 
 namespace xgm::geo {
 namespace {
@@ -15,6 +17,14 @@ struct Part {
   cv::Rect window;
   HeightInterval heights;
 };
+
+double cells_of(const DisparityRange& range) {
+  double cells = 0;
+  for (int y = 0; y < range.size().height; ++y) {
+    for (int x = 0; x < range.size().width; ++x) cells += Workload::room(range.at(y, x).size());
+  }
+  return cells;
+}
 
 /// How many disparities a pixel has to search, and what they are in heights, for the record.
 void record_widths(const RectifiedPair& pair, const DisparityRange& range, const Context& context) {
@@ -38,34 +48,70 @@ class Matching {
 
   MatchedPairs run(const std::vector<SatelliteImage>& images, const std::vector<PairChoice>& pairs,
                    const Context& context) {
-    MatchedPairs matched;
-    std::vector<std::vector<Part>> parts;
-    const Slot<RangePrior>* coarse_prior = nullptr;
-    for (const PairChoice& pair : pairs) {
-      const SatelliteImage &base = images[pair.base], &match = images[pair.match];
-      parts.push_back(parts_of(base, match, context));
-      for (const Part& part : parts.back()) {
-        if (coarse_prior != nullptr) break;
-        coarse_prior = prior_->coarse_prior(base, match, part.heights, request_.dem.get());
-      }
-      matched.seen.push_back({base, match, {}});
-    }
-    double begin = 0;
-    if (coarse_prior != nullptr) {
-      constexpr double kShare = 0.1;  // of the time, about
-      begin = kShare;
-      coarse_ =
-          coarse_surface(stages_, *coarse_prior, request_, images, pairs, context.part(0, kShare));
-    }
+    double begin = prepare(images, pairs, context);
     const double each = (1 - begin) / static_cast<double>(pairs.size());
     for (std::size_t i = 0; i < pairs.size(); ++i, begin += each) {
-      matched.clouds.push_back(
-          match_pair(matched.seen[i], parts[i], context.part(begin, begin + each)));
+      matched_.clouds.push_back(match_pair(i, context.part(begin, begin + each)));
     }
-    return matched;
+    return std::move(matched_);
+  }
+
+  WorkAhead look_ahead(const std::vector<SatelliteImage>& images,
+                       const std::vector<PairChoice>& pairs, const Context& context) {
+    WorkAhead ahead;
+    prepare(images, pairs, context);
+    std::optional<Window> largest;
+    std::size_t pair_of_largest = 0;
+    double most = -1;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const SeenPair& pair = matched_.seen[i];
+      const Context here = of_pair(context, pair.base, pair.match);
+      for (const Part& part : parts_[i]) {
+        Window window = open(pair, part, here);
+        const double cells = cells_of(window.range);
+        ahead.windows.push_back({window.range.size(), part.window.size(), cells});
+        if (cells <= most) continue;
+        most = cells;
+        largest = std::move(window);
+        pair_of_largest = i;
+      }
+    }
+    const SeenPair& pair = matched_.seen[pair_of_largest];
+    ahead.largest = {
+        resample(largest->pair, find_grey_scale(pair.base), find_grey_scale(pair.match)),
+        std::move(largest->range),
+        {}};
+    return ahead;
   }
 
  private:
+  /// What is known of a window before it is matched.
+  struct Window {
+    RectifiedPair pair;
+    DisparityRange range;
+  };
+
+  /// Finds the windows, and the coarser surface if one is asked for. Returns which share of the
+  /// work that is.
+  double prepare(const std::vector<SatelliteImage>& images, const std::vector<PairChoice>& pairs,
+                 const Context& context) {
+    const Slot<RangePrior>* coarse_prior = nullptr;
+    for (const PairChoice& pair : pairs) {
+      const SatelliteImage &base = images[pair.base], &match = images[pair.match];
+      parts_.push_back(parts_of(base, match, context));
+      for (const Part& part : parts_.back()) {
+        if (coarse_prior != nullptr) break;
+        coarse_prior = prior_->coarse_prior(base, match, part.heights, request_.dem.get());
+      }
+      matched_.seen.push_back({base, match, {}});
+    }
+    if (coarse_prior == nullptr) return 0;
+    constexpr double kShare = 0.1;  // of the time, about
+    coarse_ =
+        coarse_surface(stages_, *coarse_prior, request_, images, pairs, context.part(0, kShare));
+    return kShare;
+  }
+
   static Context of_pair(const Context& context, const SatelliteImage& base,
                          const SatelliteImage& match) {
     return context.scope(base.name + "_" + match.name);
@@ -88,8 +134,9 @@ class Matching {
     return parts;
   }
 
-  PointCloud match_pair(SeenPair& pair, const std::vector<Part>& parts,
-                        const Context& context) const {
+  PointCloud match_pair(std::size_t index, const Context& context) {
+    SeenPair& pair = matched_.seen[index];
+    const std::vector<Part>& parts = parts_[index];
     const Context here = of_pair(context, pair.base, pair.match);
     const GreyScale base_scale = find_grey_scale(pair.base),
                     match_scale = find_grey_scale(pair.match);
@@ -104,8 +151,7 @@ class Matching {
     return cloud;
   }
 
-  void match_part(SeenPair& seen, const Part& part, const GreyScale& base_scale,
-                  const GreyScale& match_scale, const Context& context, PointCloud& cloud) const {
+  Window open(const SeenPair& seen, const Part& part, const Context& context) const {
     const cv::Rect& window = part.window;
     RectifiedPair pair{seen.base, seen.match, part.heights, nullptr};
     // More than the window, so that what lies at its border is matched with what is around it.
@@ -117,12 +163,21 @@ class Matching {
     DisparityRange range =
         prior_(context, pair, KnownSurfaces{request_.dem.get(), coarse_ ? &*coarse_ : nullptr});
     record_widths(pair, range, context);
-    const MatchRequest matching{resample(pair, base_scale, match_scale), std::move(range), {}};
+    trim_heap();  // key points leave hundreds of MB behind
+    return {std::move(pair), std::move(range)};
+  }
+
+  void match_part(SeenPair& seen, const Part& part, const GreyScale& base_scale,
+                  const GreyScale& match_scale, const Context& context, PointCloud& cloud) const {
+    Window window = open(seen, part, context);
+    const RectifiedPair& pair = window.pair;
+    const MatchRequest matching{
+        resample(pair, base_scale, match_scale), std::move(window.range), {}};
     const DisparityMap map = matched(matching, context);
     if (request_.matched) request_.matched(pair, map);
     const PointGrid points = stages_.triangulation(context, pair, map);
-    append(cloud, points, map, matching.pair.base.planes.front(), *pair.geometry, window);
-    seen.windows.push_back(remember(window, pair, matching, map, points));
+    append(cloud, points, map, matching.pair.base.planes.front(), *pair.geometry, part.window);
+    seen.windows.push_back(remember(part.window, pair, matching, map, points));
   }
 
   DisparityMap matched(const MatchRequest& request, const Context& context) const {
@@ -136,6 +191,8 @@ class Matching {
   const Slot<RangePrior>& prior_;
   const SurfaceRequest& request_;
   std::optional<Raster> coarse_;
+  std::vector<std::vector<Part>> parts_;  ///< of each pair
+  MatchedPairs matched_;
 };
 
 }  // namespace
@@ -144,6 +201,12 @@ MatchedPairs match_pairs(const SurfaceStages& stages, const Slot<RangePrior>& pr
                          const SurfaceRequest& request, const std::vector<SatelliteImage>& images,
                          const std::vector<PairChoice>& pairs, const Context& context) {
   return Matching(stages, prior, request).run(images, pairs, context);
+}
+
+WorkAhead look_ahead(const SurfaceStages& stages, const SurfaceRequest& request,
+                     const std::vector<SatelliteImage>& images,
+                     const std::vector<PairChoice>& pairs, const Context& context) {
+  return Matching(stages, stages.range_prior, request).look_ahead(images, pairs, context);
 }
 
 }  // namespace xgm::geo

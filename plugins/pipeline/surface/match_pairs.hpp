@@ -22,4 +22,10 @@ MatchedPairs match_pairs(const SurfaceStages& stages, const Slot<RangePrior>& pr
                          const SurfaceRequest& request, const std::vector<SatelliteImage>& images,
                          const std::vector<PairChoice>& pairs, const Context& context);
 
+/// What match_pairs() is going to match. Only a coarser surface, if the prior asks for one, is
+/// matched for it.
+WorkAhead look_ahead(const SurfaceStages& stages, const SurfaceRequest& request,
+                     const std::vector<SatelliteImage>& images,
+                     const std::vector<PairChoice>& pairs, const Context& context);
+
 }  // namespace xgm::geo

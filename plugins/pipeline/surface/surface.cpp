@@ -42,15 +42,8 @@ class SurfacePipeline final : public SurfaceFamily {
   explicit SurfacePipeline(Parameters parameters) : p_(std::move(parameters)) {}
 
   SurfaceResult run(const SurfaceRequest& request, const Context& context) const override {
-    if (request.images.size() < 2) throw UsageError("give at least two satellite images");
-    require_dem(request);
     SurfaceResult result;
-    result.pairs = p_.pairs(context.part(0, 0.01), request.images);
-    keep_possible(request, result.pairs, context);
-    const HeightInterval heights =
-        common_heights(request.images.front().camera, request.images.back().camera);
-    result.images = p_.pointing(context.part(0.01, 0.15), request.images, result.pairs,
-                                GroundKnowledge{request.dem.get(), heights});
+    point(request, context, result);
     MatchedPairs matched = match_pairs(p_, p_.range_prior, request, result.images, result.pairs,
                                        context.part(0.15, 0.85));
     result.clouds = std::move(matched.clouds);
@@ -64,6 +57,17 @@ class SurfacePipeline final : public SurfaceFamily {
         explain_cells(result.grid, result.fused.heights.values, result.surfaces, matched.seen);
     mark_outside(request.outline, result.grid, result.reasons);
     return result;
+  }
+
+  WorkAhead look_ahead(const SurfaceRequest& request, const Context& context) const override {
+    SurfaceResult pointed;
+    point(request, context, pointed);
+    WorkAhead ahead =
+        geo::look_ahead(p_, request, pointed.images, pointed.pairs, context.part(0.15, 0.85));
+    ahead.pairs = pointed.pairs.size();
+    const double step = p_.resolution > 0 ? p_.resolution : ground_pixel(request.images.front());
+    ahead.surface_cells = cells_shown(request, pointed.images[pointed.pairs.front().base], step);
+    return ahead;
   }
 
   SurfaceResult rasterise(CloudRequest request, const Context& context) const override {
@@ -81,6 +85,18 @@ class SurfacePipeline final : public SurfaceFamily {
   }
 
  private:
+  /// Chooses the pairs and corrects the cameras.
+  void point(const SurfaceRequest& request, const Context& context, SurfaceResult& result) const {
+    if (request.images.size() < 2) throw UsageError("give at least two satellite images");
+    require_dem(request);
+    result.pairs = p_.pairs(context.part(0, 0.01), request.images);
+    keep_possible(request, result.pairs, context);
+    const HeightInterval heights =
+        common_heights(request.images.front().camera, request.images.back().camera);
+    result.images = p_.pointing(context.part(0.01, 0.15), request.images, result.pairs,
+                                GroundKnowledge{request.dem.get(), heights});
+  }
+
   void require_dem(const SurfaceRequest& request) const {
     if (request.dem != nullptr) return;
     for (const auto& [field, needed] : {std::pair{"range_prior", p_.range_prior->needs_dem()},

@@ -54,9 +54,24 @@ struct SurfaceResult {
   std::vector<PairChoice> pairs;       ///< of these images
 };
 
+/// What a run is going to do, told before anything is matched.
+struct WorkAhead {
+  struct Window {
+    cv::Size size;     ///< of the rectified images, px
+    cv::Size shown;    ///< of the part of the base image whose points are kept
+    double cells = 0;  ///< of the volumes
+  };
+  std::vector<Window> windows;            ///< of all pairs, in order
+  std::optional<MatchRequest> largest{};  ///< the one with the most cells; set
+  std::size_t pairs = 0;
+  double surface_cells = 0;  ///< of the grid, about
+};
+
 class XGM_API SurfaceFamily : public PipelineFamily {
  public:
   virtual SurfaceResult run(const SurfaceRequest& request, const Context& context) const = 0;
+  /// Points, rectifies and bounds the search as run() does. Throws what it throws.
+  virtual WorkAhead look_ahead(const SurfaceRequest& request, const Context& context) const = 0;
   /// Makes the surface of clouds again, without matching: the stages surface and fusion alone.
   virtual SurfaceResult rasterise(CloudRequest request, const Context& context) const = 0;
 };
