@@ -20,8 +20,11 @@ constexpr double kSeen = 6;
 constexpr double kGrowth = 24;
 // Of each pixel of the window that is triangulated: images, range, map, points.
 constexpr double kTriangulated = 10 + 8 + 5 + 32;
-// Of each cell: the surface of a pair; and what is made of all of them.
-constexpr double kSurfaceOfPair = 4, kLayers = 4 * 4 + 3;
+// Of each point while the layers are made: a copy of it, its cell, and its value among those of its
+// cell.
+constexpr double kInLayers = 24 + 8 + 8;
+// Of each cell: the surface of a pair; and all layers, with where its values begin and end.
+constexpr double kSurfaceOfPair = 4, kLayers = 4 * 4 + 3 + 2 * 8;
 
 /// The stereo pipeline inside, with all its parameters.
 Pipeline matching_of(const Pipeline& pipeline, const Registry& registry) {
@@ -90,7 +93,7 @@ SurfacePlan plan_surface(const Pipeline& pipeline, const Registry& registry,
   plan.matching_seconds =
       plan.matching.seconds * plan.cells / std::max(plan.largest.load.cells(), 1.0);
   const double surface =
-      static_cast<double>(program_memory()) + held + kept + growth +
+      static_cast<double>(program_memory()) + held + kept + kInLayers / kPoint * kept +
       (kSurfaceOfPair * static_cast<double>(plan.pairs) + kLayers) * ahead.surface_cells;
   for (const auto& [bytes, stage] : {std::pair{surface, "surface"}, {reached, "pointing"}}) {
     if (bytes <= plan.peak_bytes) continue;
