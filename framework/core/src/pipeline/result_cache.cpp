@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 struct Entry {
   std::vector<fs::path> files{};  // that which says that they are complete is the first
   std::uint64_t bytes = 0;
-  fs::file_time_type used{};
+  fs::file_time_type used = fs::file_time_type::min();
 };
 
 /// "0123456789abcdef" of "0123456789abcdef_status.png"; empty if no result has such a file.

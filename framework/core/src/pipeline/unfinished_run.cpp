@@ -57,12 +57,11 @@ void UnfinishedRun::take_up() {
   const std::string file = question_file(results_->path());
   Json earlier;
   try {
-    earlier = Json::parse(read_file(file));
-    decisions_ = earlier.at("decisions");
-    earlier = earlier.at("question");
+    const Json stored = Json::parse(read_file(file));
+    earlier = stored.at("question");
+    decisions_ = stored.at("decisions");
   } catch (const Error&) {
     options_.tell(file + ": is damaged; the run begins anew");
-    decisions_ = Json::object();
     return;
   }
   const std::string differs = difference(earlier, question_);
