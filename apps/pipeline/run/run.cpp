@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // pipeline run: match a pair of images.
+#include <filesystem>
 #include <memory>
 
 #include "commands.hpp"
@@ -14,10 +15,29 @@
 #include "terminal/stop_on_signal.hpp"
 #include "xgm/base/memory.hpp"
 #include "xgm/evaluation/recorded_run.hpp"
+#include "xgm/evaluation/run_folder.hpp"
+#include "xgm/pipeline/lookup.hpp"
 #include "xgm/tiles/in_tiles.hpp"
 
 namespace xgm::cli {
 namespace {
+
+KeepRequest keep_request(const RunCommandOptions& options, const Registry& registry) {
+  const double bytes = parse_bytes(options.cache_size, "--cache-size");
+  return {.resume = options.resume,
+          .cache = options.cache,
+          .cache_bytes = static_cast<std::uint64_t>(bytes),
+          .plugin_files = plugin_files(registry),
+          .asked = {{"--tiles", options.tiles}, {"--memory-limit", options.memory_limit}}};
+}
+
+/// What is left of a run that was interrupted.
+std::string left_in(const std::string& folder) {
+  const std::string kept = (std::filesystem::path(folder) / kUnfinishedFolder).string();
+  std::error_code unusable;
+  if (!std::filesystem::exists(kept, unusable)) return "nothing of this run is left in " + folder;
+  return "the same command with --resume goes on from " + kept;
+}
 
 RecordRequest record_request(const RunCommandOptions& options) {
   return {.folder = options.output,
@@ -73,10 +93,11 @@ int run(const RunCommandOptions& options, const std::vector<std::string>& comman
     }
     const SceneRequest scene = scene_request(options, registry);
     request.parts = parts(options, *pipeline);
+    request.keep = keep_request(options, registry);
     request.inputs = files_beside_scene(registry, options.scene, options.dataset);
     return run_checked(*pipeline, scene, request, run, progress);
   } catch (const Cancelled&) {
-    log_warning("interrupted; nothing of this run is left in " + options.output);
+    log_warning("interrupted; " + left_in(options.output));
     return kSignalled + Interruptible::signal();
   }
 }

@@ -17,6 +17,27 @@ void add_depth(Command command, RunCommandOptions& options) {
       .type_name("FILE.tiff");
 }
 
+void add_keeping(Command command, RunCommandOptions& options) {
+  auto resume = command.flag(
+      "--resume", options.resume,
+      "Go on from what a run of the same command that did not end has left in DIR/unfinished.xgm. "
+      "Given from the beginning, all that is done is kept; without it, what is done after the "
+      "first 5 seconds");
+  auto cache =
+      command
+          .option("--cache", options.cache,
+                  "Keep what is matched in this folder, for any run that matches the same: "
+                  "only what comes after is then done. May be shared by many runs")
+          .type_name("DIR")
+          .excludes(resume);
+  command
+      .option("--cache-size", options.cache_size,
+              "What the folder may hold; what was not used for the longest time is removed")
+      .type_name("SIZE")
+      .needs(cache)
+      .show_default();
+}
+
 void add_insights(Command command, RunCommandOptions& options) {
   command
       .option("--dump", options.dump,
@@ -68,6 +89,7 @@ void add_run_options(Command command, RunCommandOptions& options) {
               "--memory-limit, else what is free. With --memory-limit alone: if the whole does not "
               "fit")
       .type_name("auto|WIDTHxHEIGHT");
+  add_keeping(command, options);
   add_insights(command, options);
   add_truth(command, options);
   command.flag("--report", options.report,

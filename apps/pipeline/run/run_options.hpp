@@ -15,6 +15,9 @@ struct RunCommandOptions : SceneOptions {
   std::string dump;
   bool report = false;
   std::string tiles;  ///< "auto" or "WIDTHxHEIGHT"; empty: as one
+  bool resume = false;
+  std::string cache;
+  std::string cache_size = "10GB";
   std::string cloud;
   std::string depth;
   std::vector<std::string> explain;  ///< "X,Y" or "every=N"

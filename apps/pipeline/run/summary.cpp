@@ -26,6 +26,12 @@ void print_map(const RunRecord& record) {
   std::cout << '\n';
 }
 
+void print_reused(const RunRecord& record) {
+  if (record.reused.empty()) return;
+  std::cout << fmt::format("reused:  {} result{} of {}\n", record.reused.size(),
+                           record.reused.size() == 1 ? "" : "s", record.reused_from);
+}
+
 void print_truth(const RunRecord& record) {
   for (const auto& [region, truth] : record.truth) {
     std::cout << "truth:   " << region << ":";
@@ -58,6 +64,7 @@ void print_summary(const RecordedRun& result, const RecordRequest& request) {
   const RunRecord& record = result.record;
   print_map(record);
   print_truth(record);
+  print_reused(record);
   std::cout << fmt::format("cost:    {:.2f} s of matching, {:.0f} MB at most\n",
                            record.matching_seconds,
                            static_cast<double>(record.peak_memory_bytes) / 1e6);

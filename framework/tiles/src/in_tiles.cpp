@@ -6,6 +6,7 @@
 #include "xgm/base/memory.hpp"
 #include "xgm/base/text.hpp"
 #include "xgm/io/write_maps.hpp"
+#include "xgm/stage/kept_results.hpp"
 
 namespace xgm::tiles {
 namespace {
@@ -45,6 +46,20 @@ double free_bytes() {
   return static_cast<double>(available_memory()) + static_cast<double>(resident_memory());
 }
 
+/// What an earlier run of the same question has decided, which may have found other memory free.
+/// None: the whole is matched.
+std::optional<TileOptions> decided(const RunOptions& options,
+                                   const std::function<std::optional<TileOptions>()>& decide) {
+  if (options.kept == nullptr) return decide();
+  const Json size = options.kept->decided("tiles", [&] {
+    const std::optional<TileOptions> tiles = decide();
+    return tiles ? Json(std::vector<int>{tiles->size.width, tiles->size.height}) : Json();
+  });
+  if (size.size() != 2) return std::nullopt;
+  const auto side = [&](std::size_t i) { return static_cast<int>(size.elements()[i].number()); };
+  return tiles_of_size({side(0), side(1)});
+}
+
 MatchParts match_in(const Pipeline& pipeline, TiledRequest request, const TileOptions& tiles,
                     const std::string& reason, const RunOptions& options) {
   if (options.observer != nullptr) {
@@ -67,15 +82,13 @@ TileOptions fitting_tiles(const Pipeline& pipeline, const TiledRequest& request,
 ChooseParts in_tiles(const Pipeline& pipeline, std::optional<cv::Size> size) {
   return [&pipeline, size](const SceneInputs& inputs, const RunOptions& options) {
     TiledRequest request = request_of(inputs);
-    TileOptions tiles;
-    if (size && !inputs.memory_limit) {
-      tiles = tiles_of_size(*size);
-    } else {
+    const auto tiles = decided(options, [&]() -> std::optional<TileOptions> {
+      if (size && !inputs.memory_limit) return tiles_of_size(*size);
       const TilePlan plan(pipeline, request, besides_of(inputs), options);
       const double limit = inputs.memory_limit.value_or(free_bytes());
-      tiles = size ? checked(plan, *size, limit) : fitting(plan, inputs.scene.size(), limit);
-    }
-    return match_in(pipeline, std::move(request), tiles, "", options);
+      return size ? checked(plan, *size, limit) : fitting(plan, inputs.scene.size(), limit);
+    });
+    return match_in(pipeline, std::move(request), tiles.value(), "", options);
   };
 }
 
@@ -83,15 +96,18 @@ ChooseParts in_tiles_if_needed(const Pipeline& pipeline) {
   return [&pipeline](const SceneInputs& inputs, const RunOptions& options) -> MatchParts {
     const double limit = inputs.memory_limit.value_or(free_bytes());
     TiledRequest request = request_of(inputs);
-    const TilePlan plan(pipeline, request, besides_of(inputs), options);
-    const double whole =
-        plan.bytes_of_whole(besides_of_whole(inputs), !inputs.scene.truth.disparity.empty());
-    if (whole <= limit) return {};
-    const TileOptions tiles = fitting(plan, inputs.scene.size(), limit);
-    return match_in(pipeline, std::move(request), tiles,
-                    "the whole takes " + bytes_text(whole) + ", and --memory-limit allows " +
-                        bytes_text(limit) + ": ",
-                    options);
+    std::string reason;
+    const auto tiles = decided(options, [&]() -> std::optional<TileOptions> {
+      const TilePlan plan(pipeline, request, besides_of(inputs), options);
+      const double whole =
+          plan.bytes_of_whole(besides_of_whole(inputs), !inputs.scene.truth.disparity.empty());
+      if (whole <= limit) return std::nullopt;
+      reason = "the whole takes " + bytes_text(whole) + ", and --memory-limit allows " +
+               bytes_text(limit) + ": ";
+      return fitting(plan, inputs.scene.size(), limit);
+    });
+    if (!tiles) return {};
+    return match_in(pipeline, std::move(request), *tiles, reason, options);
   };
 }
 

@@ -25,6 +25,17 @@ const StereoFamily& stereo_family(const Pipeline& pipeline) {
   return *family;
 }
 
+std::vector<std::string> names_of(const std::vector<cv::Rect>& parts) {
+  std::vector<std::string> names;
+  int row = 0, column = 0;
+  for (const cv::Rect& part : parts) {
+    column = part.x == 0 ? 1 : column + 1;
+    if (part.x == 0) ++row;
+    names.push_back("tile_" + std::to_string(row) + "_" + std::to_string(column));
+  }
+  return names;
+}
+
 void TiledMatch::prepare(const RunOptions& options) {
   pipeline_.in_run(options, [&](const Context& context) {
     request_.pair = stereo_family(pipeline_).prepared(request_.pair, context);

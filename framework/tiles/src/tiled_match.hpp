@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "coarse_maps.hpp"
@@ -10,6 +11,11 @@
 #include "xgm/tiles/tiling.hpp"
 
 namespace xgm::tiles {
+
+inline constexpr const char* kCoarse = "coarse";
+
+/// Of the tiles that match them: "tile_ROW_COLUMN" from 1 on.
+std::vector<std::string> names_of(const std::vector<cv::Rect>& parts);
 
 class TiledMatch {
  public:
@@ -26,7 +32,7 @@ class TiledMatch {
   void use(MatchResult coarse);
   const MatchResult& coarse() const { return coarse_->maps; }
 
-  /// The tiles' parts of the map.
+  /// The tiles' parts of the map, row by row.
   std::vector<cv::Rect> parts() const;
   DisparityMap match(const cv::Rect& part, const RunOptions& options) const;
 

@@ -6,6 +6,7 @@
 #include "plugins/matcher/pyramid/keep_within.hpp"
 #include "xgm/data/halve.hpp"
 #include "xgm/plugin.hpp"
+#include "xgm/stage/kept_results.hpp"
 
 namespace {
 
@@ -45,7 +46,8 @@ class Pyramid final : public xgm::Matcher {
 
   xgm::MatchResult run(const xgm::MatchRequest& request,
                        const xgm::Context& context) const override {
-    const xgm::ScenePart part = request.part.value_or(xgm::ScenePart{});
+    xgm::ScenePart part = request.part.value_or(xgm::ScenePart{});
+    take_up_kept(part, context);
     const int coarsest = part.coarse ? part.coarse_scale / 2 : parameters_.scale;
     int scale = part.scale;
     std::vector<xgm::MatchRequest> levels{{request.pair, request.range, request.reverse_range}};
@@ -53,6 +55,7 @@ class Pyramid final : public xgm::Matcher {
     if (part.coarse) narrow(levels.back(), *part.coarse, level(context, scale));
     xgm::MatchResult result = parameters_.matcher(level(context, scale), levels.back());
     while (scale > part.scale) {
+      keep(result, level(context, scale));
       scale /= 2;
       levels.pop_back();
       const xgm::Context here = level(context, scale);
@@ -63,6 +66,30 @@ class Pyramid final : public xgm::Matcher {
   }
 
  private:
+  /// The run's results, as far as its levels have names in them: of the pipeline's own matcher.
+  static xgm::KeptResults* kept_levels(const xgm::Context& context) {
+    return context.place().depth == 0 ? xgm::kept_results() : nullptr;
+  }
+
+  /// Begins after the finest level that an earlier run has found.
+  void take_up_kept(xgm::ScenePart& part, const xgm::Context& context) const {
+    xgm::KeptResults* const kept = kept_levels(context);
+    if (kept == nullptr) return;
+    const int coarsest = part.coarse ? part.coarse_scale / 2 : parameters_.scale;
+    for (int scale = 2 * part.scale; scale <= coarsest; scale *= 2) {
+      std::optional<xgm::MatchResult> found = kept->find(level(context, scale).path());
+      if (!found) continue;
+      part.coarse = std::move(found);
+      part.coarse_scale = scale;
+      return;
+    }
+  }
+
+  static void keep(const xgm::MatchResult& result, const xgm::Context& level) {
+    xgm::KeptResults* const kept = kept_levels(level);
+    if (kept != nullptr) kept->keep(level.path(), result);
+  }
+
   /// Replaces the ranges of the finer `request`, its limits, by what is left to search.
   void narrow(xgm::MatchRequest& request, const xgm::MatchResult& coarse,
               const xgm::Context& context) const {

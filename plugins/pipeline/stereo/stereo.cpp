@@ -4,6 +4,7 @@
 #include "xgm/base/aligned_buffer.hpp"
 #include "xgm/base/memory.hpp"
 #include "xgm/plugin.hpp"
+#include "xgm/stage/kept_results.hpp"
 
 namespace {
 
@@ -87,7 +88,14 @@ class Stereo final : public xgm::StereoFamily {
   /// worked on.
   xgm::MatchResult match(const xgm::MatchRequest& request, const xgm::Context& context) const {
     const xgm::BufferReuse reuse;
-    return stages_.matcher(context, request);
+    xgm::KeptResults* const kept = xgm::kept_results();
+    if (kept == nullptr) return stages_.matcher(context, request);
+    const int scale = request.part ? request.part->scale : 1;
+    const std::string name = scale > 1 ? "matcher, scale " + std::to_string(scale) : "matcher";
+    if (std::optional<xgm::MatchResult> found = kept->find(name)) return std::move(*found);
+    xgm::MatchResult result = stages_.matcher(context, request);
+    kept->keep(name, result);
+    return result;
   }
 
   Parameters stages_;

@@ -11,8 +11,6 @@
 #include "xgm/io/image_io.hpp"
 #include "xgm/io/map_in_parts.hpp"
 #include "xgm/io/outputs.hpp"
-#include "xgm/io/pfm.hpp"
-#include "xgm/io/stored_map.hpp"
 #include "xgm/io/write_maps.hpp"
 #include "xgm/pipeline/lookup.hpp"
 #include "xgm/synthesis/plain_scene.hpp"
@@ -23,7 +21,6 @@ using namespace xgm::tiles;
 using xgm::testing::builtins;
 using xgm::testing::contains;
 using xgm::testing::error_of;
-using xgm::testing::identical;
 using xgm::testing::TemporaryFolder;
 
 namespace {
@@ -143,19 +140,4 @@ TEST_CASE("jobs: a changed image, an unknown job and what is no manifest are ref
   CHECK(contains(error_of([&] { read_manifest(desk / "bad.json"); }), "is no manifest of jobs"));
   write_png(desk.files.images.right, cv::Mat1b(desk.manifest.size, std::uint8_t{9}));
   CHECK(contains(error_of([&] { desk.run("tile_1_1"); }), "right.png: has changed since"));
-}
-
-TEST_CASE("stored maps come back to the last bit, and are refused if they do not fit") {
-  const TemporaryFolder folder;
-  DisparityMap map({37, 23}, Status::occluded);
-  map.set(3, 4, -12.3456789F);
-  map.set(5, 6, 0.1F, Status::filled);
-  write_stored_map(folder.path(), "a", map);
-  CHECK(identical(read_stored_map(folder.path(), "a"), map));
-  write_png(folder / "a_status.png", cv::Mat1b(23, 37, std::uint8_t{200}));
-  CHECK(
-      contains(error_of([&] { read_stored_map(folder.path(), "a"); }), "does not hold the status"));
-  write_png(folder / "a_status.png", cv::Mat1b(23, 36, std::uint8_t{0}));
-  CHECK(
-      contains(error_of([&] { read_stored_map(folder.path(), "a"); }), "does not hold the status"));
 }

@@ -12,12 +12,14 @@
 namespace xgm {
 
 class BufferPool;
+class KeptResults;
 
 /// Never changed while a thread works with it: who needs another one makes a RunChange.
 struct RunState {
   std::int64_t simd = 0;               ///< bits of the targets that kernels may use; 0: all
   std::shared_ptr<BufferPool> pool{};  ///< of large buffers; null: each stands alone
   std::stop_token stop{};
+  KeptResults* kept = nullptr;  ///< may be null
 };
 
 /// Of the calling thread. Outside runs: one that says nothing.

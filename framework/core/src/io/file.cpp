@@ -29,6 +29,12 @@ std::uint64_t fnv1a64(std::uint64_t hash, std::string_view bytes) {
   return hash;
 }
 
+std::string digits_of(std::uint64_t hash) {
+  char digits[17];
+  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash));
+  return digits;
+}
+
 std::ifstream open_to_read(const std::string& file) {
   std::error_code ignored;
   const fs::file_status status = fs::status(file, ignored);
@@ -110,7 +116,17 @@ void write_file(const std::string& file, std::string_view bytes) {
   });
 }
 
+void sync_file(const std::string& file) {
+  const int number = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  if (number < 0) throw_unwritable(file, errno);
+  const int failure = ::fsync(number) == 0 ? 0 : errno;
+  ::close(number);
+  if (failure != 0) throw_unwritable(file, failure);
+}
+
 std::uint64_t fnv1a64(std::string_view bytes) { return fnv1a64(kFnvOffset, bytes); }
+
+std::string hash_text(std::string_view bytes) { return digits_of(fnv1a64(bytes)); }
 
 FileIdentity identify_file(const std::string& file) {
   FileIdentity identity;
@@ -119,9 +135,7 @@ FileIdentity identify_file(const std::string& file) {
     identity.bytes += piece.size();
     hash = fnv1a64(hash, piece);
   });
-  char digits[17];
-  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash));
-  identity.fnv1a64 = digits;
+  identity.fnv1a64 = digits_of(hash);
   return identity;
 }
 

@@ -14,6 +14,7 @@ namespace {
 
 std::string disparities_file(const std::string& name) { return name + ".pfm"; }
 std::string status_file(const std::string& name) { return name + "_status.png"; }
+std::string confidence_file(const std::string& name) { return name + "_confidence.pfm"; }
 
 }  // namespace
 
@@ -22,7 +23,14 @@ std::vector<std::string> write_stored_map(const std::string& folder, const std::
   const std::filesystem::path path(folder);
   write_pfm((path / disparities_file(name)).string(), map.disparity);
   write_png((path / status_file(name)).string(), map.status);
-  return {disparities_file(name), status_file(name)};
+  const std::string confidence = (path / confidence_file(name)).string();
+  if (map.confidence.empty()) {
+    std::error_code absent;
+    std::filesystem::remove(confidence, absent);  // of another map
+    return {disparities_file(name), status_file(name)};
+  }
+  write_pfm(confidence, map.confidence);
+  return {disparities_file(name), status_file(name), confidence_file(name)};
 }
 
 DisparityMap read_stored_map(const std::string& folder, const std::string& name) {
@@ -39,7 +47,11 @@ DisparityMap read_stored_map(const std::string& folder, const std::string& name)
     throw Error(file + ": does not hold the status of each pixel of " + disparities_file(name) +
                 "; remove both, and run again what made them");
   }
-  return map;
+  const std::string confidence = (path / confidence_file(name)).string();
+  if (std::filesystem::exists(confidence)) map.confidence = read_pfm(confidence);
+  if (map.confidence.empty() || map.confidence.size() == map.size()) return map;
+  throw Error(confidence + ": is not of the size of " + disparities_file(name) +
+              "; remove both, and run again what made them");
 }
 
 }  // namespace xgm

@@ -51,8 +51,9 @@ MatchResult run_family(const StereoFamily& family, const std::string& name,
 }
 
 /// A run that is given no token ends with the run that it is part of, if any.
-RunState with_stop(RunState state, const std::stop_token& stop) {
-  if (stop.stop_possible()) state.stop = stop;
+RunState changed(RunState state, const RunOptions& options) {
+  if (options.stop.stop_possible()) state.stop = options.stop;
+  state.kept = options.kept;
   return state;
 }
 
@@ -60,7 +61,7 @@ void as_run(const RunOptions& options, bool base_is_reverse,
             const std::function<void(const Context&)>& body) {
   const ThreadLimit limit(options.threads);
   const SimdChoice simd(options.simd);
-  const RunChange run(with_stop(run_state(), options.stop));
+  const RunChange run(changed(run_state(), options));
   const Context context(options.observer, run.state.stop, base_is_reverse);
   context.throw_if_cancelled();
   body(context);

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "record/doubts.hpp"
+#include "record/keeping.hpp"
 #include "record/kept_map.hpp"
 #include "xgm/base/memory.hpp"
 #include "xgm/base/parallel.hpp"
@@ -186,9 +187,11 @@ void write_files(RecordedRun& result, const RecordRequest& request, const Watche
 
 /// The run and its record, but for what is known when files are written.
 RecordedRun match(const Pipeline& pipeline, SceneInputs inputs, const RecordRequest& request,
-                  const RunOptions& options, Watchers& watchers, KeptMap& kept) {
+                  const RunOptions& options, Watchers& watchers, KeptMap& kept,
+                  const Keeping& keeping) {
   RunOptions watched = options;
   watched.observer = &watchers.all;
+  watched.kept = keeping.results();
   request.tell("matching");
   RecordedRun result{
       kept.match(pipeline, std::move(inputs), watched, request.parts), {}, {}, 0, {}};
@@ -199,6 +202,7 @@ RecordedRun match(const Pipeline& pipeline, SceneInputs inputs, const RecordRequ
   record.command_line = request.command_line;
   record.threads = options.threads > 0 ? options.threads : thread_count();
   describe_run(record, result.run, watchers);
+  keeping.describe(record);
   describe_map(record, result.run, kept.summary());
   record.peak_memory_bytes = peak_memory();
   result.failure = failure_of(record);
@@ -211,6 +215,7 @@ RecordedRun match(const Pipeline& pipeline, SceneInputs inputs, const RecordRequ
 RecordedRun record_scene(const Pipeline& pipeline, const SceneRequest& scene,
                          const RecordRequest& request, const RunOptions& options) {
   check_scene(scene, pipeline);
+  Keeping::check(request, scene);
   const DepthFiles depth = check_depth_files(request.depth, scene, request.folder);
   RunFolder folder(request.folder, planned_files(request, depth),
                    files_read(pipeline, scene, request));
@@ -221,9 +226,10 @@ RecordedRun record_scene(const Pipeline& pipeline, const SceneRequest& scene,
   kept.add_bytes(inputs);
   if (request.report) add_bytes_of_report(inputs);
   Watchers watchers(request, inputs.scene, &folder, options.observer);
+  Keeping keeping(pipeline, scene, inputs, request, options.observer);
   RecordedRun result = [&] {
     try {
-      return match(pipeline, std::move(inputs), request, options, watchers, kept);
+      return match(pipeline, std::move(inputs), request, options, watchers, kept, keeping);
     } catch (const Cancelled&) {
       folder.discard();
       throw;
@@ -232,20 +238,22 @@ RecordedRun record_scene(const Pipeline& pipeline, const SceneRequest& scene,
   request.tell("writing the results");
   result.depth = depth;
   write_files(result, request, watchers, folder, kept);
+  keeping.end();
   return result;
 }
 
 RecordedRun record_in_memory(const Pipeline& pipeline, const SceneRequest& scene,
                              const RecordRequest& request, const RunOptions& options) {
   if (!request.dump.empty() || request.report || !request.explained.empty() ||
-      !request.depth.empty()) {
-    throw UsageError("dumps, reports, explanations and depths are files; give an output folder");
+      !request.depth.empty() || request.keep) {
+    throw UsageError(
+        "dumps, reports, explanations, depths and what is kept are files; give an output folder");
   }
   request.tell("reading the images");
   SceneInputs inputs = read_scene(scene, pipeline);
   KeptMap kept("");  // in memory, too
   Watchers watchers(request, inputs.scene, nullptr, options.observer);
-  return match(pipeline, std::move(inputs), request, options, watchers, kept);
+  return match(pipeline, std::move(inputs), request, options, watchers, kept, Keeping());
 }
 
 }  // namespace xgm

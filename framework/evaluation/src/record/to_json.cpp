@@ -52,6 +52,9 @@ std::string to_json(const RunRecord& record) {
   json["status_shares"] = statuses(record);
   if (!record.truth.empty()) json["truth"] = to_json(record.truth);
   json["stages"] = to_json(record.stages);
+  if (!record.reused.empty()) {
+    json["reused"] = {{"from", record.reused_from}, {"results", record.reused}};
+  }
   json["warnings"] = record.warnings;
   if (!record.dumps.empty()) json["dumps"] = dumps(record);
   if (!record.outputs.empty()) json["outputs"] = to_json(record.outputs);

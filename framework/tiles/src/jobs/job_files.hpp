@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The results of jobs in files: maps first, and last NAME.json, which says that they are complete.
+// The results of jobs in files.
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include "xgm/tiles/jobs.hpp"
 
@@ -14,15 +13,13 @@ inline constexpr const char* kJobsFolder = "jobs";
 /// Where the results are.
 std::string jobs_folder(const JobManifest& manifest);
 
-/// 16 hexadecimal digits.
-std::string hash_text(std::string_view bytes);
 /// Of all that decides of the results.
 std::string question_hash(const JobManifest& manifest);
 
 /// The reverse map is kept if there is one. Throws Error.
-void write_result(const JobManifest& manifest, const TileJob& job, const MatchResult& result,
-                  double seconds);
+void write_job_result(const JobManifest& manifest, const TileJob& job, const MatchResult& result,
+                      double seconds);
 /// Of a job that is done. Throws Error.
-MatchResult read_result(const JobManifest& manifest, const TileJob& job);
+MatchResult read_job_result(const JobManifest& manifest, const TileJob& job);
 
 }  // namespace xgm::tiles

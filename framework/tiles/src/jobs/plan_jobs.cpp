@@ -10,8 +10,6 @@
 namespace xgm::tiles {
 namespace {
 
-constexpr const char* kCoarse = "coarse";
-
 /// Jobs may run in another folder than the one they were planned in.
 PairFiles absolute(PairFiles images) {
   for (std::string* file : {&images.left, &images.right, &images.left_mask, &images.right_mask}) {
@@ -20,7 +18,7 @@ PairFiles absolute(PairFiles images) {
   return images;
 }
 
-/// Parts come row by row. All are given the same memory: what prepares the images, before the
+/// All are given the same memory: what prepares the images, before the
 /// coarse levels and before each tile, is in the plan of a tile.
 std::vector<TileJob> jobs_of(const std::vector<cv::Rect>& parts, bool has_coarse,
                              const TilePlan& plan, const TileOptions& tiles) {
@@ -29,14 +27,12 @@ std::vector<TileJob> jobs_of(const std::vector<cv::Rect>& parts, bool has_coarse
   if (has_coarse) {
     jobs.push_back({.name = kCoarse, .memory_bytes = bytes, .seconds = plan.coarse(tiles).seconds});
   }
-  int row = 0, column = 0;
-  for (const cv::Rect& part : parts) {
-    column = part.x == 0 ? 1 : column + 1;
-    if (part.x == 0) ++row;
+  const std::vector<std::string> names = names_of(parts);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
     jobs.push_back(
-        {.name = "tile_" + std::to_string(row) + "_" + std::to_string(column),
+        {.name = names[i],
          .needs = has_coarse ? std::vector<std::string>{kCoarse} : std::vector<std::string>{},
-         .place = part,
+         .place = parts[i],
          .memory_bytes = bytes,
          .seconds = seconds});
   }

@@ -49,7 +49,7 @@ MatchResult matched(const JobManifest& manifest, const TileJob& job, const Pipel
     return match.coarse();
   }
   if (match.has_coarse()) {
-    match.use(read_result(manifest, find_job(manifest, job.needs.front())));
+    match.use(read_job_result(manifest, find_job(manifest, job.needs.front())));
   }
   return {match.match(job.place, options), std::nullopt};
 }
@@ -64,7 +64,7 @@ bool run_job(const JobManifest& manifest, const TileJob& job, const Pipeline& pi
   const auto begin = std::chrono::steady_clock::now();
   const MatchResult result = matched(manifest, job, pipeline, options);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-  write_result(manifest, job, result, taken.count());
+  write_job_result(manifest, job, result, taken.count());
   return true;
 }
 
@@ -79,7 +79,7 @@ MapSummary join_jobs(const JobManifest& manifest, const std::string& folder) {
                  std::numeric_limits<double>::infinity());
   for (const std::string& name : names) {
     const TileJob& job = find_job(manifest, name);
-    map.take(job.place, read_result(manifest, job).forward);
+    map.take(job.place, read_job_result(manifest, job).forward);
   }
   map.finish();
   return map.summary();

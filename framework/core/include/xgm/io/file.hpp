@@ -30,6 +30,10 @@ XGM_API std::string read_head(const std::string& file, std::size_t count);
 XGM_API void write_file(const std::string& file, const std::function<void(std::ostream&)>& write);
 XGM_API void write_file(const std::string& file, std::string_view bytes);
 
+/// Returns when the file's bytes are on the disk, from where no loss of power takes them. Throws
+/// Error.
+XGM_API void sync_file(const std::string& file);
+
 /// Identifies a file that a run has read, so that records of runs can be compared.
 struct FileIdentity {
   std::uint64_t bytes = 0;
@@ -38,6 +42,8 @@ struct FileIdentity {
 
 /// 64-bit FNV-1a (Fowler, Noll, Vo). It distinguishes files, but does not protect against forgery.
 XGM_API std::uint64_t fnv1a64(std::string_view bytes);
+/// The same as 16 hexadecimal digits.
+XGM_API std::string hash_text(std::string_view bytes);
 /// Size and hash of the content of a file. Throws Error.
 XGM_API FileIdentity identify_file(const std::string& file);
 

@@ -7,6 +7,7 @@
 
 namespace xgm {
 
+class KeptResults;
 class Observer;
 
 /// Nothing here changes what a run finds, nor anything in other runs of the process.
@@ -24,6 +25,7 @@ struct RunOptions {
   /// Single calls of OpenCV come to their end before: a tile of ransac_deskew 0.3 s, the whole of
   /// opencv_sgbm.
   std::stop_token stop{};
+  KeptResults* kept = nullptr;  ///< of the same question; outlives the run; null: none
 };
 
 }  // namespace xgm

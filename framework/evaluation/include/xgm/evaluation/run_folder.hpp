@@ -16,6 +16,7 @@ inline constexpr const char* kRecordFile = "run.json";
 inline constexpr const char* kReportFile = "report.html";
 inline constexpr const char* kExplanationsFile = "explain.json";
 inline constexpr const char* kDumpFolder = "dump";
+inline constexpr const char* kUnfinishedFolder = "unfinished.xgm";
 
 /// Belongs to one run as long as it exists. Before the run's first file is there, what an earlier
 /// run wrote is removed, its record first. From then on until the record is written,

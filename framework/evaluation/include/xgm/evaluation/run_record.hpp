@@ -59,6 +59,9 @@ struct RunRecord {
   int threads = 0;
 
   std::vector<StageRecord> stages;
+  std::vector<std::string>
+      reused;               ///< results of earlier runs, which no stage has made in this one
+  std::string reused_from;  ///< folder
   std::vector<std::string> warnings;
   std::vector<DumpedFile> dumps;
   std::vector<OutputFile> outputs;  ///< beside run.json itself

@@ -1,0 +1,154 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""How the time of a scene in tiles falls with the number of workers, by simulation.
+
+A run is `coarse`, then all tiles, then the join. A job waits for its turn at the scheduler, then for
+a worker; its node fetches the images from the file server once, which all nodes share; the job looks
+at all of the images, matches its window, and writes its part. What jobs take was measured
+(measured.json), what a cluster adds is assumed (cluster in the same file). Nothing else is in the
+model: no other users, no failing nodes.
+
+    simulate.py [--inputs measured.json] [--megapixels 6,100,400] [--workers 1,16,128,1000]
+"""
+import argparse
+import heapq
+import json
+import math
+import random
+from dataclasses import dataclass
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+
+
+@dataclass
+class Result:
+    seconds: float  # from the first job's begin to the end of the join
+    worker_seconds: float  # that jobs take together, fetching included
+    parts: dict  # seconds of the run until coarse, tiles and join have ended
+
+
+class FileServer:
+    """Serves all that fetch in equal shares, none faster than its link.
+
+    Fetches come in the order of time; each is as fast as those that are under way when it begins
+    allow. So it is too slow by as much as the others end before it, which overestimates waiting by
+    less than a factor of two and keeps the model small.
+    """
+
+    def __init__(self, cluster):
+        self.total = cluster["server_bytes_per_second"]
+        self.link = cluster["link_bytes_per_second"]
+        self.ends = []  # of fetches that are under way
+
+    def fetch(self, now, size):
+        while self.ends and self.ends[0] <= now:
+            heapq.heappop(self.ends)
+        rate = min(self.link, self.total / (len(self.ends) + 1))
+        end = now + size / rate
+        heapq.heappush(self.ends, end)
+        return end
+
+
+def tile_count(megapixels, tile_side):
+    """Of a square image; tiles are cut to about the same size."""
+    side = math.sqrt(megapixels * 1e6)
+    return math.ceil(side / tile_side) ** 2
+
+
+def coarse_megapixels(megapixels, coarse):
+    """Of the finest level that is matched as a whole, by the rule of framework/tiles."""
+    scale = 2
+    while scale < coarse["coarsest_scale"] and megapixels / scale**2 > coarse["most_megapixels"]:
+        scale *= 2
+    return megapixels / scale**2
+
+
+def tile_seconds(inputs, megapixels, tiles, seed):
+    """Drawn from the measured spread around the mean, which holds for the mean size of tiles."""
+    draw = random.Random(seed)
+    spread = inputs["tile"]["spread"]
+    mean_spread = sum(spread) / len(spread)
+    mean = inputs["tile"]["seconds_per_megapixel"] * megapixels / tiles
+    slow = inputs["cluster"]["straggler"]
+    seconds = []
+    for _ in range(tiles):
+        factor = draw.choice(spread) / mean_spread
+        if draw.random() < slow["share"]:
+            factor *= slow["factor"]
+        seconds.append(mean * factor)
+    return seconds
+
+
+def look_seconds(inputs, megapixels):
+    """What each job does before it matches: start, hashes of the images, looks at all pixels."""
+    return inputs["job"]["start_seconds"] + inputs["job"]["look_seconds_per_megapixel"] * megapixels
+
+
+def run_jobs(seconds, workers, begin, inputs, fetch_bytes, server):
+    """All may begin at `begin`; returns when the last has ended and what workers spent together."""
+    cluster = inputs["cluster"]
+    per_node = cluster["workers_per_node"]
+    free = [(begin, worker) for worker in range(workers)]
+    heapq.heapify(free)
+    fetched = {}  # node: when it has the images
+    last = begin
+    spent = 0.0
+    for index, own in enumerate(seconds):
+        dispatched = begin + (index + 1) / cluster["dispatched_per_second"]
+        idle, worker = heapq.heappop(free)
+        start = max(idle, dispatched)
+        node = worker // per_node
+        if node not in fetched:
+            fetched[node] = server.fetch(start, fetch_bytes)
+        end = max(start, fetched[node]) + own
+        spent += end - start
+        last = max(last, end)
+        heapq.heappush(free, (end, worker))
+    return last, spent
+
+
+def simulate(inputs, megapixels, workers, seed=1):
+    tiles = tile_count(megapixels, inputs["tile"]["side"])
+    image_bytes = inputs["job"]["image_bytes_per_megapixel"] * megapixels
+    look = look_seconds(inputs, megapixels)
+    server = FileServer(inputs["cluster"])
+    small = coarse_megapixels(megapixels, inputs["coarse"])
+    coarse = look + inputs["coarse"]["seconds_per_megapixel"] * small
+    coarse_end, spent = run_jobs([coarse], 1, 0.0, inputs, image_bytes, server)
+    jobs = [look + own for own in tile_seconds(inputs, megapixels, tiles, seed)]
+    tiles_end, spent_by_tiles = run_jobs(jobs, workers, coarse_end, inputs, image_bytes, server)
+    join = inputs["job"]["start_seconds"] + inputs["join"]["seconds_per_megapixel"] * megapixels
+    end = tiles_end + join
+    return Result(
+        seconds=end,
+        worker_seconds=spent + spent_by_tiles + join,
+        parts={"coarse": coarse_end, "tiles": tiles_end - coarse_end, "join": join},
+    )
+
+
+def numbers(text):
+    return [float(number) for number in text.split(",")]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
+    parser.add_argument("--inputs", default=HERE / "measured.json")
+    parser.add_argument("--megapixels", type=numbers, default=[6, 25, 100, 400, 2500])
+    parser.add_argument("--workers", type=numbers, default=[1, 16, 128, 1000])
+    options = parser.parse_args()
+    inputs = json.loads(Path(options.inputs).read_text())
+    print("| MP | tiles | workers | seconds | coarse | tiles | join | speed-up | used |")
+    print("|---:|---:|---:|---:|---:|---:|---:|---:|---:|")
+    for megapixels in options.megapixels:
+        one = simulate(inputs, megapixels, 1).seconds
+        for workers in map(int, options.workers):
+            run = simulate(inputs, megapixels, workers)
+            row = [f"{megapixels:g}", tile_count(megapixels, inputs["tile"]["side"]), workers]
+            row += [f"{run.seconds:.0f}"] + [f"{part:.0f}" for part in run.parts.values()]
+            row += [f"{one / run.seconds:.1f}", f"{100 * one / run.seconds / workers:.0f} %"]
+            print("| " + " | ".join(map(str, row)) + " |")
+
+
+if __name__ == "__main__":
+    main()
