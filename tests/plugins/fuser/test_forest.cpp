@@ -171,11 +171,11 @@ TEST_CASE("mistakes in a forest file are told with their place") {
   CHECK(told("xgm forest 1\nfeatures 1 0 0 9\n") ==
         "m:2: the number of matchers must be from 1 to 16" + remedy);
   CHECK(told(head + std::string("\x01\0\x0D\0\1\0\2\0\0\0", 10)) ==
-        "m: byte 46: a node asks for a feature that there is not" + remedy);
+        "m: byte 47: a node asks for a feature that there is not" + remedy);
   CHECK(told(head + std::string("\x01\0\0\0\0\0\2\0\0\0", 10)) ==
-        "m: byte 46: a node comes after its child" + remedy);
+        "m: byte 47: a node comes after its child" + remedy);
   CHECK(told(head + std::string("\x01\0\0\0\1\0\3\0\0\0", 10)) ==
-        "m: byte 46: a node has a child that there is not" + remedy);
+        "m: byte 47: a node has a child that there is not" + remedy);
 }
 
 TEST_CASE(

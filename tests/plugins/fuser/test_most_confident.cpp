@@ -11,7 +11,7 @@ constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 
 DisparityMap with_confidence(const std::string& row, const std::vector<float>& confidence) {
   DisparityMap map = drawn_map({row});
-  map.confidence = cv::Mat1f(confidence).reshape(1, 1);
+  map.confidence = cv::Mat1f(confidence, true).reshape(1, 1);
   return map;
 }
 
