@@ -10,6 +10,7 @@ FEATURE_VERSION = 1  # kFeatureVersion of plugins/fuser/candidate_features
 THRESHOLDS = (0.5, 1.0, 2.0)  # px; a disparity's score is the share of them that it meets
 TREES = 32
 LEAVES = 1024
+TREES_OF_FOLDS = 8  # enough to tell how good a forest is
 PER_SCENE = 6000  # samples of a scene that a forest is trained on, so that each scene counts alike
 
 
@@ -78,7 +79,7 @@ def leave_out(samples, folds, seed):
     pairs = []
     for fold in range(folds):
         rest = [part for k, part in enumerate(samples) if k % folds != fold]
-        pairs.append((train(rest, seed, TREES), samples[fold::folds]))
+        pairs.append((train(rest, seed, TREES_OF_FOLDS), samples[fold::folds]))
     return judge(pairs)
 
 

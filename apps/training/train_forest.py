@@ -28,7 +28,7 @@ def options():
     parser.add_argument("--program", required=True, help="the program `pipeline`")
     parser.add_argument("--work", required=True,
                         help="folder of scenes and samples; what is there is not made anew")
-    parser.add_argument("--generated", type=int, default=40, help="generated scenes to train on")
+    parser.add_argument("--generated", type=int, default=45, help="generated scenes to train on")
     parser.add_argument("--scenes", nargs="*", default=[],
                         help="folders with more scenes to train on: im0, im1 and disp0GT.pfm")
     parser.add_argument("--judge", nargs="*", default=[],
