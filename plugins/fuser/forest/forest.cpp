@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A random forest picks among the candidates.
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -19,12 +21,13 @@ namespace fuser = xgm::fuser;
 
 /// Each tree tells from the features of a pixel how likely each matcher is right, and the one with
 /// the largest sum is taken. Where no candidates are more than a quarter of a pixel apart, nothing
-/// is asked and the first one is taken.
+/// is asked and the first one is picked. The picked one is averaged with those that agree with it.
 class RandomForest final : public xgm::Fuser, public xgm::StatesNeeds {
  public:
   struct Parameters {
     std::string model = "models/fusion_best.forest";
     xgm::SlotList<xgm::Cost> costs;
+    double agreement = 1;
   };
   static void describe(Parameters& p, xgm::ParameterSet& set) {
     set.add("model", p.model,
@@ -33,9 +36,16 @@ class RandomForest final : public xgm::Fuser, public xgm::StatesNeeds {
     set.add("costs", p.costs,
             "How alike both images are at a candidate, the same costs in the same order as when "
             "the forest was trained.");
+    set.add("agreement", p.agreement,
+            "Disparities this near to the one that is picked measure the same surface, and their "
+            "mean is taken; 0 takes the picked one as it is.")
+        .unit("px")
+        .range(0, 10);
   }
   explicit RandomForest(Parameters p)
-      : costs_(std::move(p.costs)), forest_(xgm::forest::read_forest(xgm::find_shipped(p.model))) {
+      : costs_(std::move(p.costs)),
+        agreement_(static_cast<float>(p.agreement)),
+        forest_(xgm::forest::read_forest(xgm::find_shipped(p.model))) {
     const fuser::FeatureLayout layout{forest_.matchers, forest_.costs};
     const auto refuse = [&](const std::string& what) { throw xgm::Error(p.model + ": " + what); };
     if (forest_.feature_version != fuser::kFeatureVersion || forest_.features != layout.count()) {
@@ -58,6 +68,11 @@ class RandomForest final : public xgm::Fuser, public xgm::StatesNeeds {
     xgm::parallel_for(0, choice.rows,
                       [&](int y) { choose_row(maps, y, choice[y], confidence[y]); });
     xgm::DisparityMap map = fuser::chosen(candidates, [&](int y, int x) { return choice(y, x); });
+    xgm::parallel_for(0, choice.rows, [&](int y) {
+      for (int x = 0; x < choice.cols; ++x) {
+        if (choice(y, x) != fuser::kNone) map.disparity(y, x) = mean_around(candidates, map, y, x);
+      }
+    });
     map.confidence = confidence;
     return map;
   }
@@ -100,7 +115,24 @@ class RandomForest final : public xgm::Fuser, public xgm::StatesNeeds {
     return found;
   }
 
+  /// The mean of the candidates that agree with the one that was picked.
+  float mean_around(const xgm::Candidates& candidates, const xgm::DisparityMap& picked, int y,
+                    int x) const {
+    const float d = picked.disparity(y, x);
+    float sum = 0, count = 0, lowest = d, highest = d;
+    for (const xgm::DisparityMap& map : candidates.maps) {
+      const float other = map.disparity(y, x);
+      if (!(std::abs(other - d) <= agreement_)) continue;  // NaN if there is none
+      sum += other;
+      count += 1;
+      lowest = std::min(lowest, other);
+      highest = std::max(highest, other);
+    }
+    return std::clamp(sum / count, lowest, highest);  // rounding must not lead beyond them
+  }
+
   xgm::SlotList<xgm::Cost> costs_;
+  float agreement_;
   xgm::forest::Forest forest_;
 };
 

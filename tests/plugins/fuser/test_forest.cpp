@@ -203,12 +203,29 @@ TEST_CASE(
         const auto [low, high] = std::minmax_element(there.begin(), there.end());
         const bool differ = *high - *low > 0.25F;
         disputed += differ ? 1 : 0;
-        if (!differ) CHECK(map.disparity(y, x) == there.front());
+        CHECK(map.disparity(y, x) >= *low);
+        CHECK(map.disparity(y, x) <= *high);
         CHECK((map.confidence(y, x) == 1) == !differ);
       }
     }
     CHECK(disputed > 100);
   });
+}
+
+TEST_CASE("forest averages what is picked with what agrees with it, and with nothing else") {
+  const TemporaryFolder folder;
+  Forest model = random_forest(7, 3, 0);
+  model.trees = {{{}, {200, 0, 10}}};  // always the first
+  const std::string path = saved(folder, file_of(model));
+  const Candidates candidates{{drawn_map({"222"}), drawn_map({"2.3"}), drawn_map({"352"})},
+                              {{}, {}, {}}};
+  const ImagePair pair = random_guide({3, 1}, 1, 9);
+  const DisparityMap map = fuser_of(path, "")->run(candidates, pair, Context{});
+  CHECK(map.disparity(0, 0) == doctest::Approx(7.0 / 3));
+  CHECK(map.disparity(0, 1) == 2);
+  CHECK(map.disparity(0, 2) == doctest::Approx(7.0 / 3));
+  const auto none = stage<Fuser>("{type: forest, agreement: 0.5, model: '" + path + "'}");
+  CHECK(identical(none->run(candidates, pair, Context{}), drawn_map({"222"})));
 }
 
 TEST_CASE("forest takes no matcher that has no disparity, whatever its votes") {

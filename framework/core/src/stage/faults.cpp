@@ -3,6 +3,7 @@
 // pixel: what would mislead the next stage, or whoever reads the map.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "data/first_pixel.hpp"
 #include "xgm/data/interval_mapping.hpp"
@@ -167,13 +168,15 @@ MaybeFault Filter::fault_of(const DisparityMap& result, const DisparityMap& map,
 MaybeFault Fuser::fault_of(const DisparityMap& result, const Candidates& candidates,
                            const ImagePair&, const Context&) {
   if (auto fault = xgm::fault_of(result, {candidates.maps.front().size()})) return fault;
-  return fault_if("a disparity is none of the candidates'", result.size(), [&](int y) {
+  return fault_if("a disparity lies beyond the candidates'", result.size(), [&](int y) {
     return [&, y](int x) {
-      const auto same = [&](const DisparityMap& map) {
-        return map.disparity(y, x) == result.disparity(y, x) && map.at(y, x) == result.at(y, x);
+      const float d = result.disparity(y, x);
+      const auto has = [&](const auto& compare) {  // no comparison is true of what is NaN
+        return std::any_of(candidates.maps.begin(), candidates.maps.end(),
+                           [&](const auto& map) { return compare(map.disparity(y, x), d); });
       };
       return result.has_disparity(y, x) &&
-             std::none_of(candidates.maps.begin(), candidates.maps.end(), same);
+             !(has(std::less_equal<float>()) && has(std::greater_equal<float>()));
     };
   });
 }

@@ -20,16 +20,16 @@ class XGM_API Fuser : public Stage {
   static constexpr std::string_view kKind = "fuser";
   static constexpr std::string_view kMeaning = "picks among the maps of several matchers";
 
-  /// `pair.base` is the view of the maps. Returns one map, which takes each disparity with its
-  /// status from one of the maps at that pixel, so that nobody sees a disparity that no matcher
-  /// found.
+  /// `pair.base` is the view of the maps. Returns one map, which takes each disparity and its
+  /// status from one of the maps at that pixel. It may move it towards others that mean the same
+  /// surface, never beyond them.
   virtual DisparityMap run(const Candidates& candidates, const ImagePair& pair,
                            const Context& context) const = 0;
 
   /// How many matchers it was made for; 0: any number.
   virtual int matchers() const { return 0; }
 
-  /// What every result is looked at for in a run: its disparities are those of the candidates.
+  /// What every result is looked at for in a run: no disparity is beyond the candidates'.
   static std::optional<Fault> fault_of(const DisparityMap& result, const Candidates& candidates,
                                        const ImagePair& pair, const Context& context);
 };

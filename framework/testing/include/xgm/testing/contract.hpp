@@ -64,7 +64,7 @@ XGM_API Violations check_refinement(const Refinement& stage);
 /// maps of either view.
 XGM_API Violations check_filter(const Filter& stage);
 
-/// Each disparity is one of the candidates'; exactly the masked pixels are masked; maps that are all
+/// No disparity lies beyond the candidates'; exactly the masked pixels are masked; maps that are all
 /// the same stay as they are.
 XGM_API Violations check_fuser(const Fuser& stage);
 
