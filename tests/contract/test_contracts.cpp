@@ -18,7 +18,13 @@ const std::map<std::string, std::string>& configurations() {
       {"cost/weighted_sum",
        "{type: weighted_sum, costs: [census, absolute_difference], weights: [1, 1]}"},
       {"dataset/folder", "{type: folder, left: '{scene}/l.png', right: '{scene}/r.png'}"},
+      {"fuser/forest", "{type: forest, costs: [{type: census, window: 5}, absolute_difference]}"},
+      {"fuser/forest_samples", "{type: forest_samples, costs: [census]}"},
       {"matcher/semi_global", semi_global},
+      {"matcher/filtered",
+       "{type: filtered, filters: [{type: median}], matcher: " + semi_global + "}"},
+      {"matcher/fusion", "{type: fusion, matchers: [" + semi_global +
+                             ", {type: left_right, matcher: " + semi_global + "}]}"},
       {"matcher/left_right", "{type: left_right, matcher: " + semi_global + "}"},
       {"matcher/pyramid",
        "{type: pyramid, scale: 4, search_range: min_max, matcher: {type: "
@@ -63,11 +69,12 @@ TEST_CASE("contract: every aggregation plugin") { check_all("aggregation"); }
 TEST_CASE("contract: every selection plugin") { check_all("selection"); }
 TEST_CASE("contract: every refinement plugin") { check_all("refinement"); }
 TEST_CASE("contract: every filter plugin") { check_all("filter"); }
+TEST_CASE("contract: every fuser plugin") { check_all("fuser"); }
 TEST_CASE("contract: every consistency plugin") { check_all("consistency"); }
 TEST_CASE("contract: every dataset plugin") { check_all("dataset"); }
 TEST_CASE("contract: every search_range plugin") { check_all("search_range"); }
 
-TEST_CASE("contract: no kind is left out") { CHECK(builtins().kinds().size() == 12); }
+TEST_CASE("contract: no kind is left out") { CHECK(builtins().kinds().size() == 14); }
 
 TEST_CASE("contract: every line of the table is about a plugin that is there") {
   for (const auto& line : configurations()) {

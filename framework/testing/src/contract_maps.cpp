@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contracts of the stages that work on disparity maps: filter, consistency, search_range.
+// Contracts of the stages that work on disparity maps: filter, fuser, consistency, search_range.
 #include <cmath>
+#include <limits>
 
 #include "contract_support.hpp"
 
@@ -86,6 +87,68 @@ void check_holes(Report& report, const Filter& stage) {
           result.has_disparity(y, x) || !map.has_disparity(y, x) || !expected.has_disparity(y, x),
           "a missing pixel takes another with it", y, x);
     });
+  });
+}
+
+/// As of matchers that know how sure they are; the first ones also matched the other view.
+Candidates rough_candidates(const ImagePair& pair, Interval range, int count) {
+  Candidates candidates;
+  for (int i = 0; i < count; ++i) {
+    const auto key = static_cast<std::uint64_t>(100 + 10 * i);
+    DisparityMap& map = candidates.maps.emplace_back(rough_map(pair.base, range, key));
+    map.confidence.create(map.size());
+    each_pixel(map.size(), [&](int y, int x) {
+      map.confidence(y, x) = map.has_disparity(y, x) ? static_cast<float>(chance(key + 5, y, x))
+                                                     : std::numeric_limits<float>::quiet_NaN();
+    });
+    const Interval reverse{1 - range.end, 1 - range.begin};
+    candidates.others.push_back(2 * i < count ? rough_map(pair.match, reverse, key + 6)
+                                              : DisparityMap());
+  }
+  return candidates;
+}
+
+Bytes bytes_of_all(const Candidates& candidates) {
+  Bytes bytes;
+  for (const auto* maps : {&candidates.maps, &candidates.others}) {
+    for (const DisparityMap& map : *maps) bytes += map.disparity.empty() ? Bytes() : bytes_of(map);
+  }
+  return bytes;
+}
+
+void check_fuser_on(Report& report, const Fuser& stage, const ImagePair& pair, Interval range) {
+  const int count = stage.matchers() == 0 ? 3 : stage.matchers();
+  const Candidates candidates = rough_candidates(pair, range, count);
+  const Bytes before = bytes_of_all(candidates);
+  const DisparityMap result =
+      run_with_threads(report, [&] { return stage.run(candidates, pair, Context{}); });
+  report.expect(bytes_of_all(candidates) == before, "the inputs were changed");
+  const auto fault = Fuser::fault_of(result, candidates, pair, Context{});
+  report.expect_none(fault);
+  if (fault) return;
+  each_pixel(result.size(), [&](int y, int x) {
+    report.expect(is_masked(result, y, x) == is_masked(candidates.maps.front(), y, x),
+                  "other pixels are masked than before", y, x);
+  });
+  for (const float level : {0.0F, 255.0F}) {
+    const ImagePair other = with_levels_under_masks(pair, level);
+    report.expect(bytes_of(stage.run(candidates, other, Context{})) == bytes_of(result),
+                  "grey levels of masked pixels matter");
+  }
+}
+
+/// Maps that are all the same leave nothing to choose.
+void check_agreeing(Report& report, const Fuser& stage) {
+  const Input input = inputs().front();
+  report.with("maps that are the same", [&] {
+    Candidates candidates = rough_candidates(input.pair, input.range.hull(), 1);
+    const DisparityMap map = candidates.maps.front();
+    const int count = stage.matchers() == 0 ? 3 : stage.matchers();
+    candidates.maps.resize(static_cast<std::size_t>(count), map);
+    candidates.others.resize(static_cast<std::size_t>(count));
+    DisparityMap result = stage.run(candidates, input.pair, Context{});
+    result.confidence = map.confidence;
+    report.expect(bytes_of(result) == bytes_of(map), "the result is another one");
   });
 }
 
@@ -181,6 +244,19 @@ Violations check_filter(const Filter& stage) {
     });
   }
   check_holes(report, stage);
+  return report.take();
+}
+
+Violations check_fuser(const Fuser& stage) {
+  Report report;
+  for (const Input& input : inputs()) {
+    const Interval hull = input.range.hull();
+    report.with(input.name, [&] { check_fuser_on(report, stage, input.pair, hull); });
+    report.with(input.name + ", reverse maps", [&] {
+      check_fuser_on(report, stage, input.pair.swapped(), {1 - hull.end, 1 - hull.begin});
+    });
+  }
+  check_agreeing(report, stage);
   return report.take();
 }
 

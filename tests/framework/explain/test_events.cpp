@@ -242,3 +242,33 @@ TEST_CASE("what a matcher does between its stages is told as its own deed") {
     REQUIRE(contains(pixel.events.back().text, "(+1)"));
   }
 }
+
+TEST_CASE("a fuser's event names the matchers that said what was taken, and what the others said") {
+  const std::string sgm =
+      "{type: semi_global, cost: census, penalty: {type: constant, p1: 24, p2: 96}, aggregation: "
+      "{type: sgm, directions: 4}}";
+  const Explained explained =
+      explain_all("matcher: {type: fusion, fuser: median, matchers: [" + sgm +
+                      ", {type: left_right, matcher: " + sgm +
+                      "}, {type: filtered, matcher: " + sgm + ", filters: [{type: median}]}]}\n",
+                  small_scene());
+  check_story(explained);
+  int alone = 0;
+  for (const Explanation& pixel : explained.pixels) {
+    const auto chosen =
+        std::find_if(pixel.events.begin(), pixel.events.end(),
+                     [](const ExplainedEvent& event) { return event.place.kind == "fuser"; });
+    REQUIRE(chosen != pixel.events.end());
+    const std::string& text = chosen->text;
+    if (!has_disparity(pixel.result.status)) continue;
+    CAPTURE(text);
+    const bool only_first = text.find("(from matchers[0] semi_global;") != std::string::npos;
+    REQUIRE(text.find(" (from matchers[") != std::string::npos);
+    if (only_first) {
+      ++alone;
+      CHECK(text.find("; matchers[1] left_right says ") != std::string::npos);
+      CHECK(text.find("; matchers[2] filtered says ") != std::string::npos);
+    }
+  }
+  CHECK(alone > 0);
+}

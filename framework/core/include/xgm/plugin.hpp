@@ -13,6 +13,7 @@
 #include "xgm/stage/cost.hpp"
 #include "xgm/stage/dataset.hpp"
 #include "xgm/stage/filter.hpp"
+#include "xgm/stage/fuser.hpp"
 #include "xgm/stage/matcher.hpp"
 #include "xgm/stage/needs.hpp"
 #include "xgm/stage/penalty.hpp"

@@ -7,6 +7,7 @@
 #include "xgm/stage/cost.hpp"
 #include "xgm/stage/dataset.hpp"
 #include "xgm/stage/filter.hpp"
+#include "xgm/stage/fuser.hpp"
 #include "xgm/stage/matcher.hpp"
 #include "xgm/stage/penalty.hpp"
 #include "xgm/stage/pipeline.hpp"
@@ -22,6 +23,7 @@ void add_core_kinds(Registry& registry) {
   registry.add_kind<PipelineFamily>();
   registry.add_kind<Preprocess>();
   registry.add_kind<Matcher>();
+  registry.add_kind<Fuser>();
   registry.add_kind<SearchRange>();
   registry.add_kind<Cost>();
   registry.add_kind<Penalty>();

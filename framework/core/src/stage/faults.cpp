@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The rules of each kind that can be told from inputs and result at the cost of a look at each
 // pixel: what would mislead the next stage, or whoever reads the map.
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "data/first_pixel.hpp"
 #include "xgm/data/interval_mapping.hpp"
@@ -11,6 +13,7 @@
 #include "xgm/stage/cost.hpp"
 #include "xgm/stage/dataset.hpp"
 #include "xgm/stage/filter.hpp"
+#include "xgm/stage/fuser.hpp"
 #include "xgm/stage/matcher.hpp"
 #include "xgm/stage/pipeline.hpp"
 #include "xgm/stage/preprocess.hpp"
@@ -160,6 +163,22 @@ MaybeFault Refinement::fault_of(const DisparityMap& result, const DisparityMap& 
 MaybeFault Filter::fault_of(const DisparityMap& result, const DisparityMap& map, const ImagePair&,
                             const Context& context) {
   return xgm::fault_of(result, {map.size(), context.searched()});
+}
+
+MaybeFault Fuser::fault_of(const DisparityMap& result, const Candidates& candidates,
+                           const ImagePair&, const Context&) {
+  if (auto fault = xgm::fault_of(result, {candidates.maps.front().size()})) return fault;
+  return fault_if("a disparity lies beyond the candidates'", result.size(), [&](int y) {
+    return [&, y](int x) {
+      const float d = result.disparity(y, x);
+      const auto has = [&](const auto& compare) {  // no comparison is true of what is NaN
+        return std::any_of(candidates.maps.begin(), candidates.maps.end(),
+                           [&](const auto& map) { return compare(map.disparity(y, x), d); });
+      };
+      return result.has_disparity(y, x) &&
+             !(has(std::less_equal<float>()) && has(std::greater_equal<float>()));
+    };
+  });
 }
 
 MaybeFault Consistency::fault_of(const MatchResult& result, const MatchResult& maps,

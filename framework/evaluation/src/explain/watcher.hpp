@@ -37,6 +37,12 @@ class Watcher {
   const std::vector<ExplainedEvent>& events(std::size_t pixel) const { return events_[pixel]; }
 
  private:
+  /// What a matcher inside a stage found at each of the pixels of the forward view.
+  struct Proposal {
+    std::string stage;
+    std::vector<PixelState> states;
+  };
+
   /// A stage that is running. The inputs are the caller's and live as long as it runs.
   struct Frame {
     StagePlace place;
@@ -47,6 +53,8 @@ class Watcher {
     const DisparityMap* map = nullptr;
     const AggregatedVolume* sums = nullptr;
     const MatchResult* maps = nullptr;
+    const DisparityMap* result = nullptr;  ///< while it is told
+    std::vector<Proposal> proposals;
     Match* match = nullptr;
     std::string figures;
 
@@ -83,6 +91,9 @@ class Watcher {
               const DisparityMap& after);
   void record(std::size_t i, const Frame& frame, const Track& track,
               const std::optional<PixelState>& before, const PixelState& after);
+  void propose(const Frame& frame, const Track& here, const DisparityMap& result);
+  std::string choice_text(std::size_t i, const Frame& frame, const Track& here,
+                          const PixelState& choice) const;
   void tell(std::size_t i, const Frame& frame, Effect effect, std::string text);
 
   cv::Size size_;

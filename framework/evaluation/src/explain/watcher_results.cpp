@@ -7,6 +7,7 @@
 #include "explain/levels.hpp"
 #include "explain/story.hpp"
 #include "explain/watcher.hpp"
+#include "xgm/stage/fuser.hpp"
 
 namespace xgm::explain {
 namespace {
@@ -107,6 +108,7 @@ void Watcher::map_returned(Frame& frame, const DisparityMap& result) {
   const bool in_matcher = matcher != nullptr && matcher->size == result.size();
   Track& here = track(result.size(), frame.place.level, frame.is_reverse());
   if (in_matcher && frame.sums != nullptr && !same_size) match_of(*matcher);
+  frame.result = &result;
   follow(frame, here, same_size ? frame.map : nullptr, result);
   if (!in_matcher || frame.sums == nullptr) return;
   for (std::size_t i = 0; i < pixels_.size(); ++i) {
@@ -125,8 +127,9 @@ void Watcher::map_returned(Frame& frame, const DisparityMap& result) {
 void Watcher::maps_returned(Frame& frame, const MatchResult& result) {
   if (frame.request != nullptr && !frame.holds_matcher) match_of(frame);
   const MatchResult* given = frame.maps;
-  follow(frame, track(result.forward.size(), frame.place.level, frame.is_reverse()),
-         given != nullptr ? &given->forward : nullptr, result.forward);
+  Track& here = track(result.forward.size(), frame.place.level, frame.is_reverse());
+  follow(frame, here, given != nullptr ? &given->forward : nullptr, result.forward);
+  propose(frame, here, result.forward);
   if (!result.reverse) return;
   const bool both = given != nullptr && given->reverse;
   follow(frame, track(result.reverse->size(), frame.place.level, !frame.is_reverse()),
@@ -164,8 +167,36 @@ void Watcher::record(std::size_t i, const Frame& frame, const Track& here,
   if (effect == Effect::unmatched && frame.sums != nullptr && here.match != nullptr) {
     text += rivals_text(here.match->of[i]);
   }
+  if (frame.place.kind == Fuser::kKind) text += choice_text(i, frame, here, after);
   events_[i].push_back(
       {frame.place, here.level, here.reverse, effect, before, after, std::move(text)});
+}
+
+/// Remembers for the stage around a matcher what that found.
+void Watcher::propose(const Frame& frame, const Track& here, const DisparityMap& result) {
+  if (frame.request == nullptr || frame.is_reverse() || frames_.size() < 2) return;
+  Proposal proposal{frame.place.slot + " " + frame.place.plugin, {}};
+  for (const cv::Point at : here.at) proposal.states.push_back(state_at(result, at));
+  frames_[frames_.size() - 2].proposals.push_back(std::move(proposal));
+}
+
+/// Which matchers a disparity was taken from, how sure that is, and what the others say.
+std::string Watcher::choice_text(std::size_t i, const Frame& frame, const Track& here,
+                                 const PixelState& choice) const {
+  if (here.reverse || frames_.size() < 2) return {};
+  std::string from, others;
+  for (const Proposal& proposal : frames_[frames_.size() - 2].proposals) {
+    const PixelState& state = proposal.states[i];
+    if (state == choice) {
+      from += (from.empty() ? " (from " : ", ") + proposal.stage;
+    } else {
+      others += "; " + proposal.stage + " says " + state_text(state);
+    }
+  }
+  if (from.empty()) return {};
+  const cv::Mat1f& confidence = frame.result->confidence;
+  const bool sure = !confidence.empty() && std::isfinite(confidence(here.at[i]));
+  return from + (sure ? "; confidence " + number(confidence(here.at[i])) : "") + others + ")";
 }
 
 void Watcher::tell(std::size_t i, const Frame& frame, Effect effect, std::string text) {

@@ -11,6 +11,7 @@
 #include "xgm/stage/cost.hpp"
 #include "xgm/stage/dataset.hpp"
 #include "xgm/stage/filter.hpp"
+#include "xgm/stage/fuser.hpp"
 #include "xgm/stage/matcher.hpp"
 #include "xgm/stage/penalty.hpp"
 #include "xgm/stage/preprocess.hpp"
@@ -62,6 +63,10 @@ XGM_API Violations check_refinement(const Refinement& stage);
 /// Keeps size, invariant and masked pixels; a missing pixel takes no others with it; works for the
 /// maps of either view.
 XGM_API Violations check_filter(const Filter& stage);
+
+/// No disparity lies beyond the candidates'; exactly the masked pixels are masked; maps that are all
+/// the same stay as they are.
+XGM_API Violations check_fuser(const Fuser& stage);
 
 /// Takes pixels away as occluded or mismatched and changes nothing else; keeps maps that agree.
 XGM_API Violations check_consistency(const Consistency& stage);
