@@ -110,6 +110,7 @@ std::shared_ptr<RunTrace::Calls> RunTrace::watch(const Pipeline& pipeline,
   calls->load = workload_of(request, options.threads > 0 ? options.threads : thread_count());
   trace::Tracer tracer(calls->load);
   options.observer = &tracer;
+  options.facts.rehearsal = true;
   pipeline.run(request, options);
   calls->calls = tracer.take_calls();
   calls->buffers = tracer.take_buffers();
@@ -125,6 +126,7 @@ RunTrace RunTrace::of_whole(const Pipeline& pipeline, const MatchRequest& reques
   const BufferReuse reuse;  // so that the second run waits for no memory, as little as a large one
   RunOptions unwatched = options;
   unwatched.observer = nullptr;
+  unwatched.facts.rehearsal = true;
   pipeline.run(request, unwatched);
   const auto calls = watch(pipeline, request, options);
   calls->bandwidth = measure_bandwidth(calls->load.threads);

@@ -30,6 +30,9 @@ XGM_API std::string read_head(const std::string& file, std::size_t count);
 XGM_API void write_file(const std::string& file, const std::function<void(std::ostream&)>& write);
 XGM_API void write_file(const std::string& file, std::string_view bytes);
 
+/// Removes a file, if it is there. Throws Error.
+XGM_API void remove_file(const std::string& file);
+
 /// Identifies a file that a run has read, so that records of runs can be compared.
 struct FileIdentity {
   std::uint64_t bytes = 0;

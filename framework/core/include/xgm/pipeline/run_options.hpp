@@ -5,6 +5,8 @@
 #include <stop_token>
 #include <string>
 
+#include "xgm/stage/run_facts.hpp"
+
 namespace xgm {
 
 class Observer;
@@ -24,6 +26,7 @@ struct RunOptions {
   /// Single calls of OpenCV come to their end before: a tile of ransac_deskew 0.3 s, the whole of
   /// opencv_sgbm.
   std::stop_token stop{};
+  RunFacts facts{};  ///< what stages may ask for; runs of scenes fill in what is known of them
 };
 
 }  // namespace xgm
