@@ -38,7 +38,7 @@ class FakeConfidence final : public Confidence {
     given().push_back({evidence.sums != nullptr, evidence.other != nullptr,
                        !evidence.map.confidence.empty(), evidence.pair.is_reverse, context.path(),
                        context.place().view});
-    cv::Mat1f confidence = cv::Mat1f::zeros(evidence.map.size());
+    cv::Mat1f confidence(evidence.map.size(), 0.0F);
     confidence.colRange(0, confidence.cols / 2) = 1;
     return confidence;
   }
