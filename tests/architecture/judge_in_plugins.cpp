@@ -30,6 +30,11 @@ bool is_of_geo(const PluginFolder& folder) {
   return kinds.contains(folder.kind) || folder.path == "plugins/pipeline/surface";
 }
 
+/// Whether the plugin reads and writes files, in place of computing: what `exchange` is for.
+bool is_of_exchange(const PluginFolder& folder) {
+  return folder.name == "external" || folder.name == "precomputed";
+}
+
 Complaint judge_plugin_header(const PluginFolder& from, const std::string& target,
                               const Tree& tree) {
   const PluginFolder to = plugin_folder(target);
@@ -48,6 +53,7 @@ Complaint judge_in_plugins(const std::string& file, const Include& include, cons
   if (const std::string header = public_header(include.target); !header.empty()) {
     const Place place = place_of(header);
     if (place.room == "core" && core_folder_may_include("plugin", place.folder)) return {};
+    if (place.folder == "exchange" && is_of_exchange(plugin_folder(file))) return {};
     if (place.room == "geo" && is_of_geo(plugin_folder(file))) {
       return place.folder == "run" ? "a plugin does not run pipelines" : Complaint();
     }

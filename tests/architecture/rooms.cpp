@@ -19,9 +19,9 @@ const std::map<std::string, std::set<std::string>>& rooms() {
 }
 
 const std::map<std::string, int>& core_layers() {
-  static const std::map<std::string, int> layers{{"base", 0},    {"data", 1},   {"config", 1},
-                                                 {"stage", 2},   {"plugin", 3}, {"io", 4},
-                                                 {"pipeline", 5}};
+  static const std::map<std::string, int> layers{{"base", 0},     {"data", 1},    {"config", 1},
+                                                 {"stage", 2},    {"plugin", 3},  {"io", 4},
+                                                 {"exchange", 5}, {"pipeline", 6}};
   return layers;
 }
 

@@ -27,7 +27,7 @@ std::string room_of_header(const std::string& target);
 const std::set<std::string>* rooms_below(const std::string& room);
 
 /// Whether a file in one folder of core may include a file in another:
-/// base < data, config < stage < plugin < io < pipeline.
+/// base < data, config < stage < plugin < io < exchange < pipeline.
 bool core_folder_may_include(const std::string& from, const std::string& to);
 /// Whether the folder has a place in that order.
 bool is_core_folder(const std::string& folder);

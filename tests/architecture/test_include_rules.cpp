@@ -85,6 +85,8 @@ TEST_CASE("architecture rules: the folders of core are layers, in public headers
   check_forbidden(kCore + "plugin.hpp", "\"xgm/pipeline.hpp\"");
   check_forbidden(kCore + "plugin/a.hpp", "\"xgm/io/pfm.hpp\"");
   check_forbidden(kCore + "io/a.hpp", "\"xgm/pipeline/pipeline.hpp\"");
+  check_forbidden(kCore + "io/a.hpp", "\"xgm/exchange/program.hpp\"");
+  check_allowed(kCore + "exchange/a.hpp", "\"xgm/io/pfm.hpp\"");
   check_forbidden(kCore + "new_folder/a.hpp", "\"xgm/base/error.hpp\"");
   check_allowed(kCore + "pipeline.hpp", "\"xgm/plugin/registry.hpp\"");
   check_allowed(kCore + "plugin.hpp", "\"xgm/plugin/handshake.hpp\"");
@@ -131,6 +133,10 @@ TEST_CASE("architecture rules: a plugin includes the SDK, its own folder and its
   check_forbidden(census, "\"xgm/evaluation/metrics.hpp\"");
   check_forbidden(census, "\"xgm/testing/contract.hpp\"");
   check_forbidden("plugins/cost/candidate_costs/a.hpp", "\"plugins/cost/census/bits.hpp\"");
+  check_forbidden(census, "\"xgm/exchange/program.hpp\"");
+  check_forbidden("plugins/cost/external/external.cpp", "\"xgm/io/pfm.hpp\"");
+  check_allowed("plugins/cost/external/external.cpp", "\"xgm/exchange/program.hpp\"");
+  check_allowed("plugins/matcher/precomputed/precomputed.cpp", "\"xgm/exchange/program.hpp\"");
   check_allowed(census, "\"plugins/cost/census/bits.hpp\"");
   check_allowed(census, "\"plugins/cost/candidate_costs/candidates.hpp\"");
   check_allowed(census, "\"xgm/plugin.hpp\"");

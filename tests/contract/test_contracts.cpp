@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every plugin of the library keeps the contract of its kind.
 #include <map>
+#include <set>
 
+#include "external/programs.hpp"
 #include "support/support.hpp"
 #include "xgm/testing/contract.hpp"
 
@@ -17,6 +19,13 @@ const std::map<std::string, std::string>& configurations() {
   static const std::map<std::string, std::string> table{
       {"cost/weighted_sum",
        "{type: weighted_sum, costs: [census, absolute_difference], weights: [1, 1]}"},
+      {"cost/external", "{type: external, " + honest("cost") + "}"},
+      {"filter/external", "{type: external, " + honest("filter") + "}"},
+      {"matcher/external", "{type: external, range_maps: true, " + honest("match") + "}"},
+      {"confidence/weighted",
+       "{type: weighted, confidences: [curvature, left_right_difference, so_far], weights: [1, 2, "
+       "1]}"},
+      {"filter/confidence_threshold", "{type: confidence_threshold, min: 0.5}"},
       {"dataset/folder", "{type: folder, left: '{scene}/l.png', right: '{scene}/r.png'}"},
       {"fuser/forest", "{type: forest, costs: [{type: census, window: 5}, absolute_difference]}"},
       {"fuser/forest_samples", "{type: forest_samples, costs: [census]}"},
@@ -32,6 +41,12 @@ const std::map<std::string, std::string>& configurations() {
            semi_global + "}}"},
   };
   return table;
+}
+
+/// Plugins whose results are files made for certain images: there are none for those of the checks.
+const std::set<std::string>& unchecked() {
+  static const std::set<std::string> names{"cost/precomputed", "matcher/precomputed"};
+  return names;
 }
 
 std::string configuration(const PluginInfo& plugin) {
@@ -56,7 +71,9 @@ void check(const PluginInfo& plugin) {
 void check_all(const std::string& kind) {
   const auto plugins = builtins().plugins(kind);
   CHECK_MESSAGE(!plugins.empty(), "there is no plugin of kind ", kind);
-  for (const PluginInfo* plugin : plugins) check(*plugin);
+  for (const PluginInfo* plugin : plugins) {
+    if (!unchecked().contains(plugin->kind + "/" + plugin->name)) check(*plugin);
+  }
 }
 
 }  // namespace
@@ -71,6 +88,7 @@ TEST_CASE("contract: every refinement plugin") { check_all("refinement"); }
 TEST_CASE("contract: every filter plugin") { check_all("filter"); }
 TEST_CASE("contract: every fuser plugin") { check_all("fuser"); }
 TEST_CASE("contract: every consistency plugin") { check_all("consistency"); }
+TEST_CASE("contract: every confidence plugin") { check_all("confidence"); }
 TEST_CASE("contract: every dataset plugin") { check_all("dataset"); }
 TEST_CASE("contract: every search_range plugin") { check_all("search_range"); }
 

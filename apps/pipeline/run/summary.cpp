@@ -3,8 +3,12 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <string>
+
+#include "xgm/io/write_maps.hpp"
 
 namespace xgm::cli {
 namespace {
@@ -46,9 +50,13 @@ void print_truth(const RunRecord& record) {
 
 void print_files(const RecordedRun& result, const RecordRequest& request) {
   std::cout << "written:";
-  for (const char* name :
-       {"disparity.png", "disparity.pfm", "status.png", "run.json", "report.html"}) {
-    if (name == std::string("report.html") && !request.report) continue;
+  const auto& outputs = result.record.outputs;
+  const bool is_sure = std::any_of(outputs.begin(), outputs.end(),
+                                   [](const auto& file) { return file.file == kConfidenceFile; });
+  for (const std::string name : {"disparity.png", "disparity.pfm", "status.png", kConfidenceFile,
+                                 "run.json", "report.html"}) {
+    if (name == "report.html" && !request.report) continue;
+    if (name == kConfidenceFile && !is_sure) continue;
     std::cout << ' ' << (std::filesystem::path(request.folder) / name).string();
   }
   std::cout << '\n';

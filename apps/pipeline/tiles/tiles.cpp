@@ -139,11 +139,14 @@ int join(const JobOptions& options) {
   for (const char* name : kMapFiles) {
     written.push_back({"--output", (fs::path(folder) / name).string()});
   }
+  written.push_back({"--output", (fs::path(folder) / kConfidenceFile).string()});
   require_outputs_apart(read, written);
   const MapSummary summary = tiles::join_jobs(manifest, folder);
   std::cout << fmt::format("map:     {} x {}, {:.2f} % of the pixels have a disparity\nwritten:",
                            manifest.size.width, manifest.size.height, 100 * summary.density());
-  for (const NamedFile& file : written) std::cout << ' ' << file.file;
+  for (const NamedFile& file : written) {
+    if (fs::exists(file.file)) std::cout << ' ' << file.file;  // not all maps have a confidence
+  }
   std::cout << '\n' << std::flush;
   if (summary.density() > 0) return kOk;
   log_error("the map is empty: no pixel has a disparity");

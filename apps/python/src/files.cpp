@@ -64,10 +64,12 @@ void bind_files(py::module_& module) {
   module.def("write_png16", [](const std::string& file, const py::array& levels) {
     write_png(file, cv::Mat1w(to_matrix(levels)));
   });
-  module.def("write_maps",
-             [](const std::string& folder, const py::array& disparity, const py::array& status) {
-               write_maps(folder, to_disparity_map(disparity, status));
-             });
+  module.def("write_maps", [](const std::string& folder, const py::array& disparity,
+                              const py::array& status, const std::optional<py::array>& confidence) {
+    DisparityMap map = to_disparity_map(disparity, status);
+    map.confidence = to_map(confidence);
+    write_maps(folder, map);
+  });
   module.def("write_cloud", &write_cloud);
   module.def("read_points", &read_points);
   module.def("find_scenes", [](const std::string& folder, const std::string& dataset) {

@@ -96,6 +96,10 @@ void bind_result(py::module_& module) {
       .def("disparity",
            [](const RecordedRun& run) { return to_array(run.run.maps.forward.disparity); })
       .def("status", [](const RecordedRun& run) { return to_array(run.run.maps.forward.status); })
+      .def("confidence",
+           [](const RecordedRun& run) { return to_array(run.run.maps.forward.confidence); })
+      .def("reverse_confidence",
+           [](const RecordedRun& run) { return to_array(reverse_of(run).confidence); })
       .def("reverse_disparity",
            [](const RecordedRun& run) { return to_array(reverse_of(run).disparity); })
       .def("reverse_status",

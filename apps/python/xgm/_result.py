@@ -24,12 +24,16 @@ class Map:
 
     ``disparity``: float32, shape (height, width), px, NaN where there is none; pixel (x, y) of the
     left image lies at (x - disparity, y) in the right one. ``status``: uint8, why a pixel has a
-    disparity or none, see STATUS. Both share their memory with the library.
+    disparity or none, see STATUS. ``confidence``: float32, how sure each matched disparity is, 0 to
+    1, NaN where there is none; None if the pipeline makes no confidence. All share their memory with
+    the library.
     """
 
-    def __init__(self, disparity: NDArray[np.float32], status: NDArray[np.uint8]) -> None:
+    def __init__(self, disparity: NDArray[np.float32], status: NDArray[np.uint8],
+                 confidence: Optional[NDArray[np.float32]] = None) -> None:
         self.disparity = disparity
         self.status = status
+        self.confidence = confidence
 
     def is_status(self, name: str) -> NDArray[np.bool_]:
         """Where pixels have this status, such as "occluded"."""
@@ -64,8 +68,9 @@ class Map:
         return self.picture()
 
     def write(self, folder: PathLike) -> None:
-        """Writes disparity.pfm, disparity.png and status.png, as the command line does."""
-        _native.write_maps(os.fspath(folder), self.disparity, self.status)
+        """Writes disparity.pfm, disparity.png, status.png and, if there is a confidence,
+        confidence.pfm, as the command line does."""
+        _native.write_maps(os.fspath(folder), self.disparity, self.status, self.confidence)
 
     def __repr__(self) -> str:
         height, width = self.disparity.shape
@@ -81,11 +86,12 @@ class Result(Map):
     """
 
     def __init__(self, run: Any) -> None:
-        super().__init__(run.disparity(), run.status())
+        super().__init__(run.disparity(), run.status(), run.confidence())
         self._run = run
         self._record: Optional[Dict[str, Any]] = None
         reverse = run.reverse_disparity()
-        self.reverse = None if reverse is None else Map(reverse, run.reverse_status())
+        self.reverse = None if reverse is None else Map(reverse, run.reverse_status(),
+                                                        run.reverse_confidence())
         self.warnings: List[str] = run.warnings
         self.seconds: float = run.seconds
 

@@ -22,6 +22,7 @@ Violations check_stage(const Stage& stage) {
       check_as(stage, check_aggregation, found) || check_as(stage, check_selection, found) ||
       check_as(stage, check_refinement, found) || check_as(stage, check_filter, found) ||
       check_as(stage, check_fuser, found) || check_as(stage, check_consistency, found) ||
+      check_as(stage, check_confidence, found) ||
       check_as(stage, check_search_range, found) || check_as(stage, check_dataset, found);
   if (!known) found.emplace_back("the stage is of no kind that has a contract");
   return found;

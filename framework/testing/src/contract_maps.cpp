@@ -52,8 +52,8 @@ void each_pixel(cv::Size size, const Body& body) {
     for (int x = 0; x < size.width; ++x) body(y, x);
 }
 
-void check_filter_on(Report& report, const Filter& stage, const ImagePair& pair,
-                     const DisparityMap& map) {
+void check_filter_on(Report& report, const Filter& stage, const ImagePair& pair, DisparityMap map) {
+  if (stage.needs_confidence()) map.confidence = some_confidence(map);
   const Bytes pair_before = bytes_of(pair), map_before = bytes_of(map);
   const DisparityMap result =
       run_with_threads(report, [&] { return stage.run(map, pair, Context{}); });
@@ -75,8 +75,12 @@ void check_filter_on(Report& report, const Filter& stage, const ImagePair& pair,
 void check_holes(Report& report, const Filter& stage) {
   const Input input = inputs().front();
   report.with("flat map with single missing pixels", [&] {
-    const DisparityMap map = flat_map(input.pair.size(), 5.25F, Status::mismatched, 0.03);
-    const DisparityMap whole = flat_map(input.pair.size(), 5.25F, Status::mismatched, 0);
+    DisparityMap map = flat_map(input.pair.size(), 5.25F, Status::mismatched, 0.03);
+    DisparityMap whole = flat_map(input.pair.size(), 5.25F, Status::mismatched, 0);
+    if (stage.needs_confidence()) {
+      map.confidence = some_confidence(map);
+      whole.confidence = some_confidence(whole);
+    }
     const DisparityMap result = stage.run(map, input.pair, Context{});
     // A filter may well take pixels away by design, at the border for example.
     const DisparityMap expected = stage.run(whole, input.pair, Context{});

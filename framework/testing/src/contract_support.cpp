@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contract_support.hpp"
 
+#include <limits>
+
 #include "xgm/testing/random.hpp"
 #include "xgm/testing/synthetic.hpp"
 
@@ -70,6 +72,17 @@ ImagePair with_levels_under_masks(const ImagePair& pair, float level) {
     }
   }
   return result;
+}
+
+cv::Mat1f some_confidence(const DisparityMap& map) {
+  cv::Mat1f confidence(map.size(), std::numeric_limits<float>::quiet_NaN());
+  for (int y = 0; y < map.size().height; ++y) {
+    for (int x = 0; x < map.size().width; ++x) {
+      if (map.at(y, x) != Status::matched || chance(80, y, x) < 0.1) continue;
+      confidence(y, x) = static_cast<float>(chance(81, y, x));
+    }
+  }
+  return confidence;
 }
 
 std::vector<Input> inputs() {
@@ -146,10 +159,17 @@ Bytes bytes_of(const Image& image) {
 
 Bytes bytes_of(const ImagePair& pair) { return bytes_of(pair.base) + bytes_of(pair.match); }
 
+Bytes bytes_of(const cv::Mat1f& values) {
+  Bytes bytes;
+  append(bytes, values);
+  return bytes;
+}
+
 Bytes bytes_of(const DisparityMap& map) {
   Bytes bytes;
   append(bytes, map.disparity);
   append(bytes, map.status);
+  append(bytes, map.confidence);
   return bytes;
 }
 

@@ -51,6 +51,9 @@ DisparityRange ragged_range(cv::Size size, Interval hull);
 cv::Mat1b mask_with_holes(cv::Size size, int phase);
 ImagePair with_levels_under_masks(const ImagePair& pair, float level);
 
+/// Of the pixels that are matched, but one in ten; NaN of the others.
+cv::Mat1f some_confidence(const DisparityMap& map);
+
 /// A number in [0, 1) that depends on all arguments and nothing else.
 double chance(std::uint64_t key, int y, int x, int d = 0);
 
@@ -58,6 +61,7 @@ double chance(std::uint64_t key, int y, int x, int d = 0);
 using Bytes = std::string;
 Bytes bytes_of(const Image& image);
 Bytes bytes_of(const ImagePair& pair);
+Bytes bytes_of(const cv::Mat1f& values);
 Bytes bytes_of(const DisparityMap& map);
 Bytes bytes_of(const MatchResult& result);
 Bytes bytes_of(const DisparityRange& range);

@@ -28,7 +28,10 @@ std::optional<CoarseMaps> match_coarse(const Pipeline& pipeline, const TiledRequ
   for (int s = 1; s < coarse.scale; s *= 2) range = halve(range);
   MatchRequest whole{reduced_pair(*request.pair, coarse.scale), std::move(range), std::nullopt,
                      ScenePart{.scale = coarse.scale}};
-  coarse.maps = pipeline.run(whole, options);
+  RunOptions here = options;
+  if (here.facts.calibration)
+    here.facts.calibration = reduced(*here.facts.calibration, coarse.scale);
+  coarse.maps = pipeline.run(whole, here);
   return coarse;
 }
 

@@ -65,7 +65,10 @@ DisparityMap TiledMatch::match(const cv::Rect& part, const RunOptions& options) 
   if (coarse_) hull = likely(*coarse_, surroundings(part, tiles_.halo, {}, size).searched, hull);
   const Surroundings around =
       surroundings(part, tiles_.halo, hull, size, coarse_ ? coarse_->scale : 1);
-  const DisparityMap map = pipeline_.run(request_of(around, hull), options).forward;
+  RunOptions here = options;
+  std::optional<Calibration>& calibration = here.facts.calibration;
+  if (calibration) calibration = moved(*calibration, around.window.x, around.window.y);
+  const DisparityMap map = pipeline_.run(request_of(around, hull), here).forward;
   return crop(map, part - around.window.tl());
 }
 

@@ -43,6 +43,7 @@ class Pyramid final : public xgm::Matcher {
   bool accepts_range_maps() const override { return parameters_.matcher->accepts_range_maps(); }
   int coarsest_scale() const override { return parameters_.scale; }
   bool gives_reverse_map() const override { return parameters_.matcher->gives_reverse_map(); }
+  bool gives_confidence() const override { return parameters_.matcher->gives_confidence(); }
 
   xgm::MatchResult run(const xgm::MatchRequest& request,
                        const xgm::Context& context) const override {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The chain inside a single-scale matcher: cost, aggregation, selection, refinement, filters.
+#include <algorithm>
+
 #include "plugins/matcher/semi_global/matchable.hpp"
 #include "xgm/plugin.hpp"
 
@@ -18,6 +20,7 @@ class SemiGlobal final : public xgm::Matcher {
     xgm::Slot<xgm::Aggregation> aggregation;
     xgm::Slot<xgm::Selection> selection;
     xgm::Slot<xgm::Refinement> refinement;
+    xgm::Slot<xgm::Confidence> confidence;
     xgm::SlotList<xgm::Filter> filters;
   };
 
@@ -29,12 +32,16 @@ class SemiGlobal final : public xgm::Matcher {
         .default_stage("wta");
     set.add("refinement", p.refinement, "How disparities are refined below one pixel, if at all.")
         .optional();
+    set.add("confidence", p.confidence, "How sure each disparity is, by the sums, if asked for.")
+        .optional();
     set.add("filters", p.filters, "What is done to the map afterwards, in this order.");
+    add_rules(p, set);
   }
 
   explicit SemiGlobal(Parameters parameters) : stages_(std::move(parameters)) {}
 
   bool accepts_range_maps() const override { return stages_.aggregation->accepts_ragged_volumes(); }
+  bool gives_confidence() const override { return static_cast<bool>(stages_.confidence); }
 
   xgm::MatchResult run(const xgm::MatchRequest& request,
                        const xgm::Context& context) const override {
@@ -50,12 +57,32 @@ class SemiGlobal final : public xgm::Matcher {
   }
 
  private:
+  static void add_rules(Parameters& p, xgm::ParameterSet& set) {
+    set.rule({"confidence"},
+             "needs the map of the other view, which is not there yet; give it to left_right",
+             [&p] { return !p.confidence || !p.confidence->needs_other_view(); });
+    set.rule({"confidence"},
+             "needs a confidence that the map has already, and here it has none; give it to "
+             "left_right around this matcher",
+             [&p] { return !p.confidence || !p.confidence->needs_confidence(); });
+    set.rule({"filters", "confidence"}, "hold one that needs a confidence; give 'confidence', too",
+             [&p] {
+               return p.confidence ||
+                      std::none_of(p.filters.begin(), p.filters.end(),
+                                   [](const auto& filter) { return filter->needs_confidence(); });
+             });
+  }
+
   xgm::DisparityMap select(const xgm::MatchRequest& request, const xgm::Context& context) const {
     const xgm::AggregatedVolume sums = aggregate(request, context.part(0, 0.95));
-    xgm::DisparityMap map = stages_.selection(context.part(0.95, 0.98), sums);
+    xgm::DisparityMap map = stages_.selection(context.part(0.95, 0.97), sums);
     mark_masked(map, request.pair.base);
-    if (!stages_.refinement) return map;
-    return stages_.refinement(context.part(0.98, 1), map, sums);
+    if (stages_.refinement) map = stages_.refinement(context.part(0.97, 0.98), map, sums);
+    if (stages_.confidence) {
+      const xgm::Evidence evidence{.pair = request.pair, .map = map, .sums = &sums};
+      map.confidence = stages_.confidence(context.part(0.98, 1), evidence);
+    }
+    return map;
   }
 
   /// A function of its own so that costs and penalties are gone before the sums are read.

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The top of a stereo pipeline's file: preprocess, matcher, postprocess.
+#include <algorithm>
+
 #include "plugins/pipeline/stereo/prepared_parts.hpp"
 #include "xgm/base/aligned_buffer.hpp"
 #include "xgm/base/memory.hpp"
@@ -33,6 +35,14 @@ class Stereo final : public xgm::StereoFamily {
     set.add("postprocess", p.postprocess, "What is done to the finished maps, in order.");
     set.rule({"disparities"}, "must not begin above their end",
              [&p] { return p.disparities.empty() || p.disparities[0] <= p.disparities[1]; });
+    set.rule({"postprocess", "matcher"},
+             "holds one that needs a confidence, which the maps do not have; give the matcher one "
+             "(confidence of semi_global or left_right)",
+             [&p] {
+               return p.matcher->gives_confidence() ||
+                      std::none_of(p.postprocess.begin(), p.postprocess.end(),
+                                   [](const auto& stage) { return stage->needs_confidence(); });
+             });
   }
 
   explicit Stereo(Parameters parameters) : stages_(std::move(parameters)) {}

@@ -90,6 +90,29 @@ TEST_CASE("a disparity is finite exactly where the status says so") {
   for (int s = 0; s < kStatusCount; ++s) CHECK(!to_string(static_cast<Status>(s)).empty());
 }
 
+TEST_CASE("a map inherits the confidence of what is still matched, in memory of its own") {
+  DisparityMap origin({3, 1});
+  for (int x = 0; x < 3; ++x) origin.set(0, x, 1);
+  origin.confidence = cv::Mat1f(1, 3, 0.5F);
+  DisparityMap made({3, 1});
+  made.set(0, 0, 2);
+  made.set(0, 1, 2, Status::filled);
+  made.inherit_confidence(origin);
+  CHECK(made.confidence(0, 0) == 0.5F);
+  CHECK(std::isnan(made.confidence(0, 1)));
+  CHECK(std::isnan(made.confidence(0, 2)));
+  CHECK(origin.confidence(0, 1) == 0.5F);
+  DisparityMap judged = made.clone();
+  judged.confidence(0, 0) = 0.75F;
+  judged.inherit_confidence(origin);
+  CHECK(judged.confidence(0, 0) == 0.75F);  // its own
+  CHECK(made.confidence(0, 0) == 0.5F);
+  DisparityMap plain({3, 1});
+  plain.inherit_confidence(DisparityMap({3, 1}));
+  CHECK(plain.confidence.empty());
+  CHECK(made.bytes() == 3 * (4 + 1 + 4));
+}
+
 TEST_CASE("grey is the luma of blue, green, red") {
   Image image;
   for (const float value : {10.f, 20.f, 30.f}) image.planes.emplace_back(1, 1, value);

@@ -64,6 +64,27 @@ TEST_CASE("a map that is written in parts, in any order, gives the files of the 
   }
 }
 
+TEST_CASE("the confidence of a map in parts is that of the whole, and none if there is none") {
+  DisparityMap map = random_map({130, 97});
+  const TemporaryFolder whole, folder;
+  const std::string file = folder / kConfidenceFile;
+  for (const bool has_confidence : {true, false}) {
+    map.confidence.release();
+    if (has_confidence) {
+      map.confidence = map.disparity / 400;
+      map.confidence.setTo(std::numeric_limits<float>::quiet_NaN(), map.status != 0);
+    }
+    write_maps(whole.path(), map);
+    MapInParts parts(folder.path(), map.size(), {-5, 51}, kAnySize);
+    give_parts(map, parts);
+    CHECK(parts.has_confidence() == has_confidence);
+    parts.finish();
+    CHECK(std::filesystem::exists(whole / kConfidenceFile) == has_confidence);
+    CHECK(std::filesystem::exists(file) == has_confidence);  // that of the map before is removed
+    if (has_confidence) CHECK(read_file(file) == read_file(whole / kConfidenceFile));
+  }
+}
+
 TEST_CASE("the summary of parts counts what is matched within 1 px of the ends of the search") {
   const DisparityMap map = random_map({130, 97});
   MapSummary summary({-5, 51});

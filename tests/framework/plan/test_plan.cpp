@@ -98,6 +98,23 @@ TEST_CASE("the maximum of memory is costs and sums of one view, and grows with t
   CHECK(many.peak_bytes - few.peak_bytes < 1.1 * 3 * 64e6);
 }
 
+TEST_CASE("the confidence of a map counts from when it is there") {
+  const auto plan_of = [](const std::string& more) {
+    const auto loaded = load_pipeline_text(
+        "matcher: {type: semi_global, cost: census, penalty: constant, aggregation: sgm, filters: "
+        "[median]" +
+            more + "}\npostprocess: [median]\n",
+        "p.yaml", builtins());
+    REQUIRE(loaded.pipeline);
+    return plan_run(trace_of(*loaded.pipeline), dense({1000, 1000}, 64));
+  };
+  const RunPlan with = plan_of(", confidence: peak_ratio"), without = plan_of("");
+  const double more = memory_of(with, "postprocess[0]") - memory_of(without, "postprocess[0]");
+  CHECK(more >= 4e6);  // bytes: a float of each pixel, of the map and of the filter's copy
+  CHECK(more <= 3 * 4e6);
+  CHECK(memory_of(with, "matcher.confidence") >= memory_of(without, "matcher.aggregation"));
+}
+
 TEST_CASE("freed volumes count until the matcher has ended, for they wait to be used again") {
   const RunPlan plan = plan_run(trace_of(shipped("tmgm16_refined")), dense({2000, 2000}, 200));
   const std::string finest = "matcher.s1.matcher.";

@@ -8,10 +8,13 @@
 #include "framework/record/noise.hpp"
 #include "support/temporary_folder.hpp"
 #include "xgm/evaluation/recorded_run.hpp"
+#include "xgm/io/file.hpp"
 #include "xgm/io/pfm.hpp"
 
 using namespace xgm;
+using xgm::testing::builtins;
 using xgm::testing::contains;
+using xgm::testing::kNoisePipeline;
 using xgm::testing::kNoiseSize;
 using xgm::testing::noise;
 using xgm::testing::noise_pipeline;
@@ -53,6 +56,24 @@ TEST_CASE("record_scene: map, pictures and record, for a program without an obse
   CHECK(record["stages"].size() == 5);
   CHECK(record["truth"][0]["region"] == "all");
   CHECK(record["warnings"].empty());
+}
+
+TEST_CASE("record_scene: a confidence is written, listed, and gone with the next run without one") {
+  const TemporaryFolder folder;
+  const LoadedPipeline loaded = load_pipeline_text(kNoisePipeline, "shift.yaml", builtins(),
+                                                   {{"matcher.confidence", "peak_ratio"}});
+  REQUIRE(loaded.pipeline);
+  const RecordedRun result =
+      record_scene(*loaded.pipeline, noise(9), {.folder = folder.path(), .report = true});
+  const cv::Mat1f sure = read_pfm(folder / "confidence.pfm");
+  REQUIRE(sure.size() == kNoiseSize);
+  CHECK(sure(12, 60) == result.run.maps.forward.confidence(12, 60));
+  CHECK(sure(12, 60) > 0);
+  CHECK(record_in(folder)["outputs"].dump().find("confidence.pfm") != std::string::npos);
+  CHECK(contains(read_file(folder / "report.html"), "\"confidence\":{"));
+  record_scene(noise_pipeline(), noise(9), {.folder = folder.path()});
+  CHECK_FALSE(has(folder, "confidence.pfm"));
+  CHECK(folder.files() == 4);
 }
 
 TEST_CASE("record_in_memory: the same record, and no file") {

@@ -96,7 +96,7 @@ TEST_CASE("files that no run wrote stay, and are refused where they would pass f
     CHECK(output.names() == before);
   };
   fs::create_directory(output / "dump");
-  for (const char* name : {"dump/mine.npy", "report.html", "explain.json"}) {
+  for (const char* name : {"dump/mine.npy", "report.html", "explain.json", "confidence.pfm"}) {
     output.write(name, "mine");
     check_refused(name, "is no file that run.json lists");
     fs::remove(output / name);

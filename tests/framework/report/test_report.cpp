@@ -60,6 +60,23 @@ TEST_CASE("report: whole, half and quarter pixels stay exactly what they are") {
   for (int x = 0; x < 16; ++x) CHECK(unpacked(run["disparity"])(2, x) == x * 17 - 100.25);
 }
 
+TEST_CASE("report: a confidence is a layer and a picture, if there is one") {
+  ReportScene scene = random_scene({16, 4}, 0, 1, 1);
+  const std::string without = report_html(report_of(scene));
+  CHECK(without.find(">Confidence<") == std::string::npos);
+  CHECK_FALSE(page_data(without)["scenes"][0]["runs"][0].contains("confidence"));
+  cv::Mat1f& sure = scene.runs[0].map.confidence;
+  sure = cv::Mat1f(4, 16, 0.25F);
+  sure(1, 2) = std::numeric_limits<float>::quiet_NaN();
+  const std::string with = report_html(report_of(scene));
+  CHECK(with.find(">Confidence<") != std::string::npos);
+  const auto packed = page_data(with)["scenes"][0]["runs"][0]["confidence"];
+  CHECK(unpacked(packed)(3, 15) == 0.25);
+  CHECK(std::isnan(unpacked(packed)(1, 2)));
+  sure = cv::Mat1f(3, 16, 0.25F);
+  CHECK_THROWS_AS(report_html(report_of(scene)), Error);
+}
+
 TEST_CASE("report: odd maps make a page: one pixel, nothing valid, no run, no truth") {
   SUBCASE("one pixel") {
     const auto data = page_data(report_html(report_of(random_scene({1, 1}, 5, 6, 2))));

@@ -33,6 +33,7 @@ using DoingRefinement =
     Doing<Refinement, DisparityMap, const DisparityMap&, const AggregatedVolume&>;
 using DoingFilter = Doing<Filter, DisparityMap, const DisparityMap&, const ImagePair&>;
 using DoingConsistency = Doing<Consistency, MatchResult, const MatchResult&>;
+using DoingConfidence = Doing<Confidence, cv::Mat1f, const Evidence&>;
 using DoingSearchRange =
     Doing<SearchRange, DisparityRange, const DisparityMap&, const DisparityRange&>;
 

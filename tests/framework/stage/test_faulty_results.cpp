@@ -61,6 +61,12 @@ std::vector<BadMap> bad_maps(float disparity = 2) {
   add(disagree + " (x 0, y 0)", [](DisparityMap& map) { map.disparity(0, 0) = 1; });
   add("the status is none there is (x 11, y 6)",
       [](DisparityMap& map) { map.status(6, 11) = kStatusCount; });
+  add("the confidence does not have the image's size",
+      [](DisparityMap& map) { map.confidence = cv::Mat1f(3, 3, 1.0F); });
+  add("a confidence is not in 0 to 1 (x 5, y 3)", [](DisparityMap& map) {
+    map.confidence = cv::Mat1f(kSize, 1.0F);
+    map.confidence(3, 5) = 1.001F;
+  });
   return all;
 }
 
@@ -120,6 +126,26 @@ TEST_CASE("sound results pass through slots as they are") {
   CHECK(told<DoingMatcher>(MatchResult{sound_map(), sound_map(-2)}, request()) == "");
   CHECK(told<DoingPreprocess>(pair_of_images(), pair_of_images()) == "");
   CHECK(told_of_range(range()) == "");
+}
+
+TEST_CASE("confidences have the size of the map, and are in 0 to 1 or NaN") {
+  const ImagePair pair = pair_of_images();
+  const DisparityMap map = sound_map();
+  const Evidence evidence{pair, map};
+  const auto told_of = [&](const cv::Mat1f& result) {
+    return told<DoingConfidence>(result, evidence);
+  };
+  cv::Mat1f sure(kSize, kNan);
+  sure(0, 0) = 0;
+  sure(6, 11) = 1;
+  CHECK(told_of(sure) == "");
+  check_told(told_of(cv::Mat1f()), "confidence", "the confidence does not have the image's size");
+  check_told(told_of(sure.colRange(1, 5)), "confidence",
+             "the confidence does not have the image's size");
+  for (const float wrong : {-0.001F, 1.001F, kInfinity, -kInfinity}) {
+    sure(3, 4) = wrong;
+    check_told(told_of(sure), "confidence", "a confidence is not in 0 to 1 (x 4, y 3)");
+  }
 }
 
 TEST_CASE("matchers leave neither the range nor the pixels that have data") {

@@ -28,8 +28,9 @@ namespace {
 /// A pair in files, and the manifest of its jobs.
 struct Desk : TemporaryFolder {
   explicit Desk(const std::string& pipeline_name)
-      : pipeline(
-            require_pipeline(XGM_SOURCE_DIR "/pipelines/" + pipeline_name + ".yaml", builtins())) {
+      : Desk(require_pipeline(XGM_SOURCE_DIR "/pipelines/" + pipeline_name + ".yaml", builtins())) {
+  }
+  explicit Desk(Pipeline asked) : pipeline(std::move(asked)) {
     const auto scene = synthesis::generate_plain(
         {.size = {261, 171}, .disparities = {-6, 34}, .seed = 3, .noise = 2});
     files.images = {.left = *this / "left.png", .right = *this / "right.png"};
@@ -89,6 +90,25 @@ TEST_CASE("jobs in any order give the bytes of one process") {
     check_same_files(desk / "joined", desk / "at_once");
     CHECK(summary.density() > 0.5);
   }
+}
+
+TEST_CASE("jobs carry the confidence of their maps, and joining joins it") {
+  const std::string text =
+      "xgm: 1\nmatcher:\n  type: pyramid\n  scale: 2\n  matcher:\n    type: left_right\n"
+      "    confidence: {type: weighted, confidences: [so_far, left_right_difference], weights: [1, "
+      "1]}\n    matcher: {type: semi_global, cost: census, penalty: constant, aggregation: sgm, "
+      "confidence: peak_ratio}\n";
+  const LoadedPipeline loaded = load_pipeline_text(text, "sure.yaml", builtins());
+  REQUIRE(loaded.pipeline);
+  const Desk desk(*loaded.pipeline);
+  for (const TileJob& job : desk.manifest.jobs) desk.run(job.name);
+  join_jobs(desk.manifest, desk / "joined");
+  desk.match_at_once(desk / "at_once");
+  check_same_files(desk / "joined", desk / "at_once");
+  CHECK(read_file(desk / "joined/confidence.pfm") == read_file(desk / "at_once/confidence.pfm"));
+  const cv::Mat1f sure = read_pfm(desk / "joined/confidence.pfm");
+  const cv::Mat1f map = read_pfm(desk / "joined/disparity.pfm");
+  CHECK(cv::countNonZero((sure == sure) != (map == map)) == 0);  // where there is a disparity
 }
 
 TEST_CASE("jobs: the manifest is read as it was written, with what each job takes") {

@@ -80,14 +80,20 @@ class ValueReader {
     std::vector<double> values(node_.items.size());
     bool good = true;
     for (std::size_t i = 0; i < values.size(); ++i) good &= number_of(node_.items[i], values[i]);
-    if (!may_have(field_, values.size())) {
-      return diagnose(node_,
-                      "'" + field_.name + "' cannot have " + std::to_string(values.size()) +
-                          (values.size() == 1 ? " element" : " elements"),
-                      "give " + expected(field_));
-    }
+    if (!has_good_count(values.size())) return false;
     if (good) *target = std::move(values);
     return good;
+  }
+  bool operator()(std::vector<std::string>* target) const {
+    if (!node_.is_list()) return wrong_type(node_);
+    std::vector<std::string> texts;
+    for (const Node& item : node_.items) {
+      if (!item.is_scalar()) return wrong_type(item);
+      texts.push_back(item.scalar);
+    }
+    if (!has_good_count(texts.size())) return false;
+    *target = std::move(texts);
+    return true;
   }
   bool operator()(const Choice& choice) const {
     if (!node_.is_scalar()) return wrong_type(node_);
@@ -114,6 +120,13 @@ class ValueReader {
     }
     target = *value;
     return true;
+  }
+  bool has_good_count(std::size_t elements) const {
+    if (may_have(field_, elements)) return true;
+    return diagnose(node_,
+                    "'" + field_.name + "' cannot have " + std::to_string(elements) +
+                        (elements == 1 ? " element" : " elements"),
+                    "give " + expected(field_));
   }
   bool wrong_type(const Node& node) const {
     return diagnose(node,
@@ -166,6 +179,7 @@ struct Expected {
     text += (field.only_whole ? "whole numbers" : "numbers") + range_text(field);
     return may_have(field, 0) && !field.counts.empty() ? text + ", or an empty one" : text;
   }
+  std::string operator()(const std::vector<std::string>*) const { return "a list of texts"; }
   std::string operator()(const Choice& choice) const { return "one of " + join(choice.names); }
   std::string operator()(const SlotBase* slot) const {
     return "a stage of kind " + std::string(slot->kind());

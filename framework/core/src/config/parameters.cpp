@@ -62,6 +62,9 @@ Field& ParameterSet::add(std::string name, std::string& target, std::string text
 Field& ParameterSet::add(std::string name, std::vector<double>& target, std::string text) {
   return add_field(std::move(name), std::move(text), &target);
 }
+Field& ParameterSet::add(std::string name, std::vector<std::string>& target, std::string text) {
+  return add_field(std::move(name), std::move(text), &target);
+}
 Field& ParameterSet::add(std::string name, SlotBase& target, std::string text) {
   return add_field(std::move(name), std::move(text), &target);
 }

@@ -18,6 +18,7 @@ DisparityMap crop(const DisparityMap& map, const cv::Rect& window) {
   DisparityMap part;
   part.disparity = map.disparity(window).clone();
   part.status = map.status(window).clone();
+  if (!map.confidence.empty()) part.confidence = map.confidence(window).clone();
   return part;
 }
 

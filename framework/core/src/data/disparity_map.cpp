@@ -27,6 +27,14 @@ double DisparityMap::density() const {
   return static_cast<double>(count) / static_cast<double>(status.total());
 }
 
+void DisparityMap::inherit_confidence(const DisparityMap& origin) {
+  const cv::Mat1f& inherited = confidence.empty() ? origin.confidence : confidence;
+  if (inherited.empty()) return;
+  confidence = inherited.clone();  // another map may share it
+  confidence.setTo(std::numeric_limits<float>::quiet_NaN(),
+                   status != static_cast<int>(Status::matched));
+}
+
 DisparityMap DisparityMap::clone() const {
   DisparityMap copy;
   copy.disparity = disparity.clone();

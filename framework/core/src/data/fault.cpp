@@ -80,9 +80,21 @@ std::optional<Fault> fault_of(const ImagePair& pair, cv::Size size) {
   return Fault{"one image is grey and the other in colour"};
 }
 
+std::optional<Fault> fault_of_confidence(const cv::Mat1f& confidence, cv::Size size) {
+  if (!is_map(confidence, size)) return Fault{"the confidence does not have the image's size"};
+  const auto pixel = first_pixel(size, [&](int y) {
+    return [sure = confidence[y]](int x) { return (int{sure[x] < 0} | int{sure[x] > 1}) != 0; };
+  });
+  if (!pixel) return std::nullopt;
+  return Fault{"a confidence is not in 0 to 1", pixel};
+}
+
 std::optional<Fault> fault_of(const DisparityMap& map, const MapBounds& bounds) {
   if (!is_map(map.disparity, bounds.size) || !is_map(map.status, bounds.size)) {
     return Fault{"the map does not have the image's size"};
+  }
+  if (!map.confidence.empty()) {
+    if (auto fault = fault_of_confidence(map.confidence, bounds.size)) return fault;
   }
   const PixelRules rules(bounds);
   const auto pixel = first_pixel(bounds.size, [&](int y) {

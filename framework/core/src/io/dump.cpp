@@ -38,6 +38,7 @@ struct Writer {
 
   void operator()(std::monostate) const {}
   void operator()(const MatchRequest*) const {}  // no stage returns one
+  void operator()(const cv::Mat1f* confidence) const { write_pfm(name(".pfm"), *confidence); }
   void operator()(const ImagePair* pair) const {
     write_png(name(".left.png"), picture(pair->base));
     write_png(name(".right.png"), picture(pair->match));
@@ -65,6 +66,7 @@ struct Writer {
   void map(const DisparityMap& map, const std::string& view) const {
     write_pfm(name(view + ".disparity.pfm"), map.disparity);
     write_png(name(view + ".status.png"), status_picture(map));
+    if (!map.confidence.empty()) write_pfm(name(view + ".confidence.pfm"), map.confidence);
   }
   void operator()(const DisparityMap* result) const { map(*result, ""); }
   void operator()(const MatchResult* result) const {

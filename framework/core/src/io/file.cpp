@@ -101,6 +101,12 @@ std::string read_head(const std::string& file, std::size_t count) {
   return bytes;
 }
 
+void remove_file(const std::string& file) {
+  std::error_code failure;
+  fs::remove(file, failure);
+  if (failure) throw Error(file + ": cannot be removed: " + failure.message());
+}
+
 void write_file(const std::string& file, const std::function<void(std::ostream&)>& write) {
   UnfinishedFile unfinished(file);
   std::ofstream stream(unfinished.path(), std::ios::binary | std::ios::trunc);

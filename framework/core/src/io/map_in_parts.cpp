@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "io/pfm_in_parts.hpp"
+#include "xgm/io/file.hpp"
 #include "xgm/io/image_io.hpp"
 #include "xgm/io/outputs.hpp"
 #include "xgm/io/write_maps.hpp"
@@ -36,6 +37,7 @@ struct MapInParts::Pfm : PfmInParts {
 MapInParts::MapInParts(const std::string& folder, cv::Size size, Interval searched,
                        double picture_pixels)
     : folder_(folder),
+      size_(size),
       pfm_(std::make_unique<Pfm>(in(folder, kMapFiles[0]), size)),
       summary_(searched),
       sampling_(sampling_of(size, picture_pixels)),
@@ -45,6 +47,10 @@ MapInParts::~MapInParts() = default;
 
 void MapInParts::take(const cv::Rect& place, const DisparityMap& part) {
   pfm_->put(place, part.disparity);
+  if (!part.confidence.empty()) {
+    if (!confidence_) confidence_ = std::make_unique<Pfm>(in(folder_, kConfidenceFile), size_);
+    confidence_->put(place, part.confidence);
+  }
   summary_.add(part);
   const cv::Size shown = sampling_.shown();
   const cv::Range rows = shown_near(place.y, place.br().y, sampling_.stride, shown.height);
@@ -65,6 +71,11 @@ void MapInParts::finish() {
                                            ? colour_picture(shown_.disparity, "px")
                                            : disparity_picture(shown_));
   write_png(in(folder_, kMapFiles[2]), status_picture(shown_, summary_.status_shares()));
+  if (confidence_) {
+    confidence_->finish();
+  } else {
+    remove_file(in(folder_, kConfidenceFile));
+  }
 }
 
 double MapInParts::held_bytes(cv::Size size, double picture_pixels) {

@@ -6,6 +6,8 @@
 
 #include "io/raster.hpp"
 #include "xgm/base/error.hpp"
+#include "xgm/data/fault.hpp"
+#include "xgm/io/file.hpp"
 #include "xgm/io/image_io.hpp"
 #include "xgm/io/pfm.hpp"
 
@@ -23,14 +25,15 @@ std::vector<std::string> write_stored_map(const std::string& folder, const std::
   const std::filesystem::path path(folder);
   write_pfm((path / disparities_file(name)).string(), map.disparity);
   write_png((path / status_file(name)).string(), map.status);
-  const std::string confidence = (path / confidence_file(name)).string();
+  std::vector<std::string> files{disparities_file(name), status_file(name)};
+  const std::string confidence = confidence_file(name);
   if (map.confidence.empty()) {
-    std::error_code absent;
-    std::filesystem::remove(confidence, absent);  // of another map
-    return {disparities_file(name), status_file(name)};
+    remove_file((path / confidence).string());  // it would be taken for this map's
+  } else {
+    write_pfm((path / confidence).string(), map.confidence);
+    files.push_back(confidence);
   }
-  write_pfm(confidence, map.confidence);
-  return {disparities_file(name), status_file(name), confidence_file(name)};
+  return files;
 }
 
 DisparityMap read_stored_map(const std::string& folder, const std::string& name) {
@@ -48,10 +51,13 @@ DisparityMap read_stored_map(const std::string& folder, const std::string& name)
                 "; remove both, and run again what made them");
   }
   const std::string confidence = (path / confidence_file(name)).string();
-  if (std::filesystem::exists(confidence)) map.confidence = read_pfm(confidence);
-  if (map.confidence.empty() || map.confidence.size() == map.size()) return map;
-  throw Error(confidence + ": is not of the size of " + disparities_file(name) +
-              "; remove both, and run again what made them");
+  if (std::filesystem::exists(confidence)) {
+    map.confidence = read_pfm(confidence);
+    if (const auto fault = fault_of_confidence(map.confidence, map.size())) {
+      throw Error(confidence + ": " + fault->rule + "; remove it, and run again what made it");
+    }
+  }
+  return map;
 }
 
 }  // namespace xgm

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "xgm/io/file.hpp"
 #include "xgm/io/image_io.hpp"
 #include "xgm/io/output_folder.hpp"
 #include "xgm/io/outputs.hpp"
@@ -17,6 +18,11 @@ void write_maps(const std::string& folder, const DisparityMap& map) {
   write_pfm(in(map_file), map.disparity);
   write_png(in(picture), disparity_picture(map));
   write_png(in(statuses), status_picture(map));
+  if (map.confidence.empty()) {
+    remove_file(in(kConfidenceFile));
+  } else {
+    write_pfm(in(kConfidenceFile), map.confidence);
+  }
 }
 
 double bytes_to_write_maps(cv::Size size) {

@@ -62,7 +62,8 @@ void as_run(const RunOptions& options, bool base_is_reverse,
   const ThreadLimit limit(options.threads);
   const SimdChoice simd(options.simd);
   const RunChange run(changed(run_state(), options));
-  const Context context(options.observer, run.state.stop, base_is_reverse);
+  const Context context =
+      Context(options.observer, run.state.stop, base_is_reverse).with(options.facts);
   context.throw_if_cancelled();
   body(context);
 }

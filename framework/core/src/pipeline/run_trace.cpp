@@ -111,6 +111,7 @@ std::shared_ptr<RunTrace::Calls> RunTrace::watch(const Pipeline& pipeline,
   trace::Tracer tracer(calls->load);
   options.observer = &tracer;
   options.kept = nullptr;  // which are of another size
+  options.facts.rehearsal = true;
   pipeline.run(request, options);
   calls->calls = tracer.take_calls();
   calls->buffers = tracer.take_buffers();
@@ -127,6 +128,7 @@ RunTrace RunTrace::of_whole(const Pipeline& pipeline, const MatchRequest& reques
   RunOptions unwatched = options;
   unwatched.observer = nullptr;
   unwatched.kept = nullptr;
+  unwatched.facts.rehearsal = true;
   pipeline.run(request, unwatched);
   const auto calls = watch(pipeline, request, options);
   calls->bandwidth = measure_bandwidth(calls->load.threads);

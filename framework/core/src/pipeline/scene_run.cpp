@@ -48,6 +48,8 @@ SceneRun match_scene(const Pipeline& pipeline, SceneInputs inputs, const RunOpti
   tell(inputs, observers);
   RunOptions observed = options;
   observed.observer = &observers;
+  observed.facts.scene = inputs.scene.name;
+  observed.facts.calibration = inputs.scene.calibration;
   const MatchRequest request{inputs.scene.pair, inputs.range, {}};
   if (!match) guard(pipeline, request, inputs, options, observers);
   const Stopwatch matching;

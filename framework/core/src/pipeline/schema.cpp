@@ -33,15 +33,20 @@ Json list(const Field& field) {
   return json;
 }
 
+/// Whatever is written there is text, also what looks like a number.
+Json text() { return {{"type", {"string", "number", "boolean"}}}; }
+
 struct Describe {
   const Field& field;
 
   Json operator()(const bool*) const { return {{"type", "boolean"}}; }
   Json operator()(const int*) const { return number(field, "integer"); }
   Json operator()(const double*) const { return number(field, "number"); }
-  // Whatever is written there is text, also what looks like a number.
-  Json operator()(const std::string*) const { return {{"type", {"string", "number", "boolean"}}}; }
+  Json operator()(const std::string*) const { return text(); }
   Json operator()(const std::vector<double>*) const { return list(field); }
+  Json operator()(const std::vector<std::string>*) const {
+    return {{"type", "array"}, {"items", text()}};
+  }
   Json operator()(const Choice& choice) const { return {{"enum", choice.names}}; }
   Json operator()(const SlotBase* slot) const {
     if (!field.is_optional && field.default_stage_name.empty()) return reference(slot->kind());

@@ -90,6 +90,8 @@ void Tracer::see(Event::What what, const Artifact& artifact) {
   } else if (const auto* const* maps = std::get_if<const MatchResult*>(&artifact)) {
     see(what, (*maps)->forward);
     if ((*maps)->reverse) see(what, *(*maps)->reverse);
+  } else if (const auto* const* confidence = std::get_if<const cv::Mat1f*>(&artifact)) {
+    see(what, **confidence);
   }
 }
 
@@ -119,7 +121,16 @@ void Tracer::see(Event::What what, const ImagePair& pair) {
 }
 
 void Tracer::see(Event::What what, const DisparityMap& map) {
-  see(what, map.disparity.data, {Buffer::Kind::pixels, map.size(), double(map.bytes())});
+  constexpr double kMapBytes = sizeof(float) + 1;
+  const double pixels = map.size().area();
+  see(what, map.disparity.data, {Buffer::Kind::pixels, map.size(), kMapBytes * pixels});
+  if (!map.confidence.empty()) see(what, map.confidence);
+}
+
+void Tracer::see(Event::What what, const cv::Mat1f& confidence) {
+  see(what, confidence.data,
+      {Buffer::Kind::pixels, confidence.size(),
+       static_cast<double>(confidence.total() * sizeof(float))});
 }
 
 void Tracer::see(Event::What what, const DisparityRange& range) {

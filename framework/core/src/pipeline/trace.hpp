@@ -71,6 +71,7 @@ class Tracer final : public Observer {
   void see(Event::What what, const Artifact& artifact);
   void see(Event::What what, const ImagePair& pair);
   void see(Event::What what, const DisparityMap& map);
+  void see(Event::What what, const cv::Mat1f& confidence);
   void see(Event::What what, const DisparityRange& range);
   void see(Event::What what, const VolumeShape& shape);
   void see(Event::What what, const void* address, Buffer buffer);

@@ -23,6 +23,8 @@ std::size_t size_of(const Image& image) {
 
 }  // namespace
 
+const RunFacts Context::kNoFacts;
+
 Stage::~Stage() = default;
 Observer::~Observer() = default;
 void Observer::log(LogLevel, const StagePlace&, const std::string&) {}
@@ -31,6 +33,12 @@ void Observer::stage_end(const StagePlace&, const StageStatistics&, const Artifa
 void Observer::figure(const StagePlace&, const std::string&, double) {}
 void Observer::progress(double) {}
 void Observer::stage_input(const StagePlace&, const Artifact&) {}
+
+Context Context::with(const RunFacts& facts) const {
+  Context inner = *this;
+  inner.facts_ = &facts;
+  return inner;
+}
 
 Context Context::scope(std::string_view name) const {
   Context inner = *this;
@@ -128,6 +136,10 @@ void Context::StageRun::finish(const DisparityMap& result) const {
 }
 void Context::StageRun::finish(const MatchResult& result) const {
   finish(result.forward.bytes() + (result.reverse ? result.reverse->bytes() : 0), &result);
+}
+
+void Context::StageRun::finish(const cv::Mat1f& result) const {
+  finish(result.total() * sizeof(float), &result);
 }
 
 void Context::StageRun::finish(std::size_t bytes, const Artifact& result) const {

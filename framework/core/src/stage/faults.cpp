@@ -189,10 +189,7 @@ MaybeFault Consistency::fault_of(const MatchResult& result, const MatchResult& m
 }
 
 MaybeFault Confidence::fault_of(const cv::Mat1f& result, const Evidence& evidence, const Context&) {
-  if (result.size() != evidence.map.size()) return Fault{"the confidence has another size"};
-  return fault_if("a confidence is not in 0 to 1", result.size(), [&](int y) {
-    return [sure = result[y]](int x) { return sure[x] < 0 || sure[x] > 1; };
-  });
+  return fault_of_confidence(result, evidence.map.size());
 }
 
 MaybeFault SearchRange::fault_of(const DisparityRange& result, const DisparityMap&,

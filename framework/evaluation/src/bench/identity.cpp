@@ -58,6 +58,7 @@ std::string cell_identity(const BenchRequest& request, std::size_t pipeline, std
 std::vector<std::string> cell_files(const std::string& folder) {
   std::vector<std::string> files = job_files(folder);
   for (const char* name : kMapFiles) files.push_back((fs::path(folder) / name).string());
+  files.push_back((fs::path(folder) / kConfidenceFile).string());
   return files;
 }
 

@@ -25,6 +25,9 @@ void hold(Scene& scene) {
 void paste(const DisparityMap& part, const cv::Rect& place, DisparityMap& whole) {
   part.disparity.copyTo(whole.disparity(place));
   part.status.copyTo(whole.status(place));
+  if (part.confidence.empty()) return;
+  if (whole.confidence.empty()) whole.confidence.create(whole.size());
+  part.confidence.copyTo(whole.confidence(place));
 }
 
 }  // namespace

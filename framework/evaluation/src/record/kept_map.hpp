@@ -24,6 +24,11 @@ class KeptMap {
 
   const MapSummary& summary() const { return files_ ? files_->summary() : summary_; }
 
+  /// Of the map, which is that of the run unless it is not held.
+  bool has_confidence(const DisparityMap& map) const {
+    return files_ ? files_->has_confidence() : !map.confidence.empty();
+  }
+
   /// Writes the files of the map, which is that of the run unless it is not held.
   void write(const DisparityMap& map);
 

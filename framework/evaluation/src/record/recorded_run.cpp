@@ -169,6 +169,7 @@ void write_files(RecordedRun& result, const RecordRequest& request, const Watche
                  RunFolder& folder, KeptMap& kept) {
   folder.begin();
   const DisparityMap& map = result.run.maps.forward;
+  if (kept.has_confidence(map)) folder.announce(folder.file(kConfidenceFile));
   kept.write(map);
   if (!result.depth.empty()) {
     const Scene& scene = result.run.scene;

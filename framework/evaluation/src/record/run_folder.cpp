@@ -9,6 +9,7 @@
 #include "xgm/base/error.hpp"
 #include "xgm/evaluation/record_json.hpp"
 #include "xgm/io/file.hpp"
+#include "xgm/io/write_maps.hpp"
 
 namespace xgm {
 namespace fs = std::filesystem;
@@ -43,17 +44,11 @@ std::vector<OutputFile> listed_in(const std::string& file) {
   }
 }
 
-void remove(const std::string& file) {
-  std::error_code failure;
-  fs::remove(file, failure);
-  if (failure) throw Error(file + ": cannot be removed: " + failure.message());
-}
-
 /// What is there under names that results have which not every run writes.
 std::vector<std::string> optional_results(const fs::path& folder) {
   std::vector<std::string> names;
   std::error_code unusable;
-  for (const char* name : {kReportFile, kExplanationsFile}) {
+  for (const char* name : {kConfidenceFile, kReportFile, kExplanationsFile}) {
     if (fs::exists(folder / name, unusable)) names.push_back(name);
   }
   const fs::path dumps = folder / kDumpFolder;
@@ -119,8 +114,8 @@ void RunFolder::begin() {
   if (begun_) return;
   begun_ = true;
   write_list();
-  remove(file(kRecordFile));
-  for (const OutputFile& output : earlier_) remove(file(output.file));
+  remove_file(file(kRecordFile));
+  for (const OutputFile& output : earlier_) remove_file(file(output.file));
   ::rmdir(file(kDumpFolder).c_str());  // if nothing is left in it
 }
 
@@ -150,11 +145,11 @@ std::vector<OutputFile> RunFolder::outputs() const {
   return files;
 }
 
-void RunFolder::end() { remove(file(kUnfinishedFile)); }
+void RunFolder::end() { remove_file(file(kUnfinishedFile)); }
 
 void RunFolder::discard() {
   if (!begun_) return;
-  for (const std::string& name : announced_) remove(file(name));
+  for (const std::string& name : announced_) remove_file(file(name));
   ::rmdir(file(kDumpFolder).c_str());
   end();
 }

@@ -15,7 +15,11 @@ void LevelCollector::stage_input(const StagePlace& place, const Artifact& input)
 void LevelCollector::stage_end(const StagePlace& place, const StageStatistics&,
                                const Artifact& result) {
   if (const auto* const* matched = std::get_if<const MatchResult*>(&result)) {
-    if (ReportLevel* level = level_of(place)) level->map = (*matched)->forward.clone();
+    if (ReportLevel* level = level_of(place)) {
+      const DisparityMap& map = (*matched)->forward;  // its confidence is shown at full size alone
+      level->map.disparity = map.disparity.clone();
+      level->map.status = map.status.clone();
+    }
   }
 }
 

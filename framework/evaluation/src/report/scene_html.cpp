@@ -35,6 +35,14 @@ std::string status_figure(const cv::Mat1b& codes, const Sampling& sampling) {
                  class_legend(status_classes(), shares_of(codes, status_classes().size()))});
 }
 
+std::string confidence_figure(const DisparityMap& map, const Sampling& sampling) {
+  if (map.confidence.empty()) return "";
+  const Span span{0, 1};
+  return figure({"Confidence",
+                 png_uri(in_ramp(sampled(map.confidence, sampling), disparity_ramp(), span)),
+                 ramp_legend(disparity_ramp(), span, "", "none")});
+}
+
 /// The verdicts' shares among the pixels judged; none for those that were not.
 std::vector<double> shares_of_judged(const cv::Mat1b& codes) {
   std::vector<double> shares = shares_of(codes, bad_classes().size());
@@ -72,8 +80,8 @@ std::string run_html(const SceneView& view, std::size_t i, const Sampling& sampl
   return "<section class=\"run\"><h3>" + html_text(run.name) + "</h3>\n" + facts_html(record) +
          warnings_html(record) + "<div class=\"gallery\">" + before +
          disparity_figure("Disparity", run.map.disparity, view, sampling, "none: see the status") +
-         status_figure(run.map.status, sampling) + truth_figures(view, run, sampling) + "</div>\n" +
-         evaluation_html(record) +
+         status_figure(run.map.status, sampling) + confidence_figure(run.map, sampling) +
+         truth_figures(view, run, sampling) + "</div>\n" + evaluation_html(record) +
          levels_html(view, i, static_cast<double>(sampling.shown().area())) + stages_html(record) +
          "<h4>Configuration</h4>" + configuration_html(record) + "</section>\n";
 }

@@ -34,6 +34,8 @@ void check(const ReportScene& scene) {
   for (const ReportRun& run : scene.runs) {
     require_size(run.map.size(), scene, "the map of " + run.name);
     require_size(run.map.status.size(), scene, "the status map of " + run.name);
+    if (run.map.confidence.empty()) continue;
+    require_size(run.map.confidence.size(), scene, "the confidence of " + run.name);
   }
 }
 

@@ -46,6 +46,9 @@ Json run_json(const SceneView& view, std::size_t i, const Sampling& sampling, do
                {"status", packed_codes(sampled(run.map.status, sampling))},
                {"levels", Json::array()},
                {"explanations", view.explanations[i]}};
+  if (!run.map.confidence.empty()) {
+    json["confidence"] = packed_numbers(sampled(run.map.confidence, sampling));
+  }
   for (const ReportLevel& level : run.levels) {
     json["levels"].push_back(level_json(level, pixels));
   }

@@ -27,8 +27,8 @@ struct Choice {
 
 /// One declared parameter. The setters return *this so that a declaration reads as one sentence.
 struct XGM_API Field {
-  using Target = std::variant<bool*, int*, double*, std::string*, std::vector<double>*, Choice,
-                              SlotBase*, SlotListBase*>;
+  using Target = std::variant<bool*, int*, double*, std::string*, std::vector<double>*,
+                              std::vector<std::string>*, Choice, SlotBase*, SlotListBase*>;
 
   std::string name;
   std::string text;  ///< one sentence for the user
@@ -69,6 +69,7 @@ class XGM_API ParameterSet {
   Field& add(std::string name, double& target, std::string text);
   Field& add(std::string name, std::string& target, std::string text);
   Field& add(std::string name, std::vector<double>& target, std::string text);
+  Field& add(std::string name, std::vector<std::string>& target, std::string text);
   Field& add(std::string name, SlotBase& target, std::string text);
   Field& add(std::string name, SlotListBase& target, std::string text);
 

@@ -15,4 +15,15 @@ struct Calibration {
   double baseline = 0;  ///< mm
 };
 
+/// The same of images that are so many times smaller, as halve() makes them.
+inline Calibration reduced(const Calibration& full, double scale) {
+  return {full.focal / scale, (full.cx + 0.5) / scale - 0.5, (full.cy + 0.5) / scale - 0.5,
+          full.doffs / scale, full.baseline};
+}
+
+/// The same of windows of both images that begin at pixel (x, y).
+inline Calibration moved(const Calibration& whole, int x, int y) {
+  return {whole.focal, whole.cx - x, whole.cy - y, whole.doffs, whole.baseline};
+}
+
 }  // namespace xgm

@@ -57,10 +57,9 @@ class XGM_API DisparityMap {
   std::size_t bytes() const {
     return disparity.total() * (sizeof(float) + 1) + confidence.total() * sizeof(float);
   }
-  /// Takes the confidence of the map that this one was made of, if it has none of its own.
-  void inherit_confidence(const DisparityMap& origin) {
-    if (confidence.empty()) confidence = origin.confidence;
-  }
+  /// Takes the confidence of the map that this one was made of, if it has none of its own. It is
+  /// one of matched disparities: pixels that are not matched any more, or are filled, lose it.
+  void inherit_confidence(const DisparityMap& origin);
 
   cv::Mat1f disparity;   ///< pixels; x_match = x_base - disparity
   cv::Mat1b status;      ///< one Status per pixel

@@ -25,6 +25,9 @@ XGM_API std::string to_string(const Fault& fault);
 /// planes and masks are of the size.
 XGM_API std::optional<Fault> fault_of(const ImagePair& pair, cv::Size size);
 
+/// None if the confidence is of the size, and each is in 0 to 1 or NaN.
+XGM_API std::optional<Fault> fault_of_confidence(const cv::Mat1f& confidence, cv::Size size);
+
 /// What may be in a map beside its invariant.
 struct MapBounds {
   cv::Size size;
@@ -33,8 +36,9 @@ struct MapBounds {
   std::optional<Interval> searched{};
 };
 
-/// None if the map is of the size, its statuses are those there are, and exactly the pixels whose
-/// status says so have a finite disparity, which lies within the bounds.
+/// None if the map is of the size, its statuses are those there are, exactly the pixels whose
+/// status says so have a finite disparity, which lies within the bounds, and the confidence, if
+/// there is one, is sound.
 XGM_API std::optional<Fault> fault_of(const DisparityMap& map, const MapBounds& bounds);
 
 }  // namespace xgm

@@ -34,6 +34,9 @@ XGM_API void write_file(const std::string& file, std::string_view bytes);
 /// Error.
 XGM_API void sync_file(const std::string& file);
 
+/// Removes a file, if it is there. Throws Error.
+XGM_API void remove_file(const std::string& file);
+
 /// Identifies a file that a run has read, so that records of runs can be compared.
 struct FileIdentity {
   std::uint64_t bytes = 0;

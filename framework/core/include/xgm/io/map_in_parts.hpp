@@ -21,10 +21,11 @@ class XGM_API MapInParts {
   MapInParts(const MapInParts&) = delete;
   MapInParts& operator=(const MapInParts&) = delete;
 
-  /// Each pixel is given once. Throws Error.
+  /// Each pixel is given once. All parts have a confidence, or none has. Throws Error.
   void take(const cv::Rect& place, const DisparityMap& part);
 
   const MapSummary& summary() const { return summary_; }
+  bool has_confidence() const { return confidence_ != nullptr; }
 
   /// Writes what is not yet written, and gives the files their names, disparity.pfm first. Throws
   /// Error.
@@ -39,7 +40,8 @@ class XGM_API MapInParts {
  private:
   struct Pfm;
   std::string folder_;
-  std::unique_ptr<Pfm> pfm_;
+  cv::Size size_;
+  std::unique_ptr<Pfm> pfm_, confidence_;
   MapSummary summary_;
   Sampling sampling_;
   DisparityMap shown_;

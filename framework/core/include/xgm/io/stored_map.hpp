@@ -11,7 +11,7 @@
 namespace xgm {
 
 /// Writes NAME.pfm (px, +inf where there is no disparity), NAME_status.png (8 bit, the numbers of
-/// Status) and, if the map has one, NAME_confidence.pfm (+inf: none) to the folder, which is there.
+/// Status) and, of a map with a confidence, NAME_confidence.pfm to the folder, which is there.
 /// Returns the files' names in it. Throws Error.
 XGM_API std::vector<std::string> write_stored_map(const std::string& folder,
                                                   const std::string& name, const DisparityMap& map);

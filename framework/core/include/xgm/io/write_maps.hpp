@@ -10,14 +10,17 @@
 
 namespace xgm {
 
-/// What write_maps() writes.
+/// What write_maps() writes of every map.
 inline constexpr std::array<const char*, 3> kMapFiles{"disparity.pfm", "disparity.png",
                                                       "status.png"};
+/// What it writes of a map that has a confidence.
+inline constexpr const char* kConfidenceFile = "confidence.pfm";
 
 /// Writes disparity.pfm (px, +inf where there is none), disparity.png and status.png (pictures with
-/// legends) to the folder, which is made if it is missing. Each file is complete or not there.
-/// disparity.pfm comes
-/// first. Throws UsageError if the folder cannot be made, Error if a file cannot be written.
+/// legends) to the folder, which is made if it is missing, and confidence.pfm (0 to 1, +inf where
+/// there is none) if the map has a confidence; if not, one of another map is removed. Each file is
+/// complete or not there. disparity.pfm comes first. Throws UsageError if the folder cannot be
+/// made, Error if a file cannot be written.
 XGM_API void write_maps(const std::string& folder, const DisparityMap& map);
 
 /// Bytes that this takes for a map of so many pixels.

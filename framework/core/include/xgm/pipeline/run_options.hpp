@@ -5,6 +5,8 @@
 #include <stop_token>
 #include <string>
 
+#include "xgm/stage/run_facts.hpp"
+
 namespace xgm {
 
 class KeptResults;
@@ -26,6 +28,7 @@ struct RunOptions {
   /// opencv_sgbm.
   std::stop_token stop{};
   KeptResults* kept = nullptr;  ///< of the same question; outlives the run; null: none
+  RunFacts facts{};  ///< what stages may ask for; runs of scenes fill in what is known of them
 };
 
 }  // namespace xgm

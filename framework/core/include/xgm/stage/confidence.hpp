@@ -15,6 +15,15 @@ struct Evidence {
   const DisparityMap& map;                 ///< with the confidence that it has so far, if any
   const AggregatedVolume* sums = nullptr;  ///< that the map was selected from; in semi_global
   const DisparityMap* other = nullptr;     ///< the map of the other view; in left_right
+
+  /// All that there is, for those who watch what stages are given.
+  template <class Visit>
+  void each(const Visit& visit) const {
+    visit(pair);
+    visit(map);
+    if (sums != nullptr) visit(*sums);
+    if (other != nullptr) visit(*other);
+  }
 };
 
 class XGM_API Confidence : public Stage {
@@ -22,11 +31,14 @@ class XGM_API Confidence : public Stage {
   static constexpr std::string_view kKind = "confidence";
   static constexpr std::string_view kMeaning = "says how sure each disparity is";
 
-  /// 0 (not at all) to 1 per pixel, NaN where the map has no disparity.
+  /// 0 (not at all) to 1 per pixel; NaN where nothing can be told, and where the map has no
+  /// disparity.
   virtual cv::Mat1f run(const Evidence& evidence, const Context& context) const = 0;
 
   virtual bool needs_sums() const { return false; }
   virtual bool needs_other_view() const { return false; }
+  /// Whether the map must have a confidence already.
+  virtual bool needs_confidence() const { return false; }
 
   /// What every result is looked at for in a run: size and bounds.
   static std::optional<Fault> fault_of(const cv::Mat1f& result, const Evidence& evidence,

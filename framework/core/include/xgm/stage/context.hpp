@@ -13,6 +13,7 @@
 #include "xgm/data/fault.hpp"
 #include "xgm/stage/observer.hpp"
 #include "xgm/stage/place.hpp"
+#include "xgm/stage/run_facts.hpp"
 
 namespace xgm {
 
@@ -26,6 +27,8 @@ class XGM_API Context {
   /// image of the run is the match image of its pair.
   explicit Context(Observer* observer, std::stop_token stop = {}, bool base_is_reverse = false)
       : observer_(observer), stop_(std::move(stop)), base_is_reverse_(base_is_reverse) {}
+  /// The same with facts of the run, which outlive all contexts that are made of this one.
+  Context with(const RunFacts& facts) const;
 
   /// The context of something inside this stage that is neither a level nor a view.
   Context scope(std::string_view name) const;
@@ -39,6 +42,7 @@ class XGM_API Context {
 
   const StagePlace& place() const { return place_; }
   const std::string& path() const { return place_.path; }
+  const RunFacts& run() const { return *facts_; }
 
   void debug(const std::string& text) const { log(LogLevel::debug, text); }
   void info(const std::string& text) const { log(LogLevel::info, text); }
@@ -72,7 +76,11 @@ class XGM_API Context {
   /// Used by slots: tells the observer of an input of the stage that runs here.
   template <class Input>
   void show_input(const Input& input) const {
-    if constexpr (std::is_constructible_v<Artifact, const Input*>) tell_input(&input);
+    if constexpr (std::is_constructible_v<Artifact, const Input*>) {
+      tell_input(&input);
+    } else if constexpr (requires { input.each([](const auto&) {}); }) {
+      input.each([this](const auto& part) { tell_input(&part); });
+    }
   }
 
   /// Used by slots: what is wrong with the result of the stage that runs here. Throws Error if
@@ -103,6 +111,7 @@ class XGM_API Context {
     void finish(const AggregatedVolume& result) const;
     void finish(const DisparityMap& result) const;
     void finish(const MatchResult& result) const;
+    void finish(const cv::Mat1f& result) const;
     template <class Other>
     void finish(const Other&) const {
       finish(0, {});
@@ -121,7 +130,10 @@ class XGM_API Context {
   void log(LogLevel level, const std::string& text) const;
   void tell_input(const Artifact& input) const;
 
+  static const RunFacts kNoFacts;
+
   Observer* observer_ = nullptr;
+  const RunFacts* facts_ = &kNoFacts;
   std::stop_token stop_;
   bool base_is_reverse_ = false;
   StagePlace place_;

@@ -16,6 +16,9 @@ class XGM_API Filter : public Stage {
   virtual DisparityMap run(const DisparityMap& map, const ImagePair& pair,
                            const Context& context) const = 0;
 
+  /// Whether maps must have a confidence. What holds the filter refuses it if they have none.
+  virtual bool needs_confidence() const { return false; }
+
   /// What every result is looked at for in a run: the map, and what the run searches: matched
   /// disparities lie in it.
   static std::optional<Fault> fault_of(const DisparityMap& result, const DisparityMap& map,

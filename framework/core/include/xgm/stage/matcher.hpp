@@ -31,6 +31,9 @@ class XGM_API Matcher : public Stage {
   /// Whether results hold the reverse map too. If so, left_right refuses this matcher: it would
   /// match four times.
   virtual bool gives_reverse_map() const { return false; }
+
+  /// Whether maps come with a confidence, which stages after it may need.
+  virtual bool gives_confidence() const { return false; }
 };
 
 }  // namespace xgm

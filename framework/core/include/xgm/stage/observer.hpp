@@ -15,10 +15,11 @@ namespace xgm {
 
 enum class LogLevel { debug, info, warning };
 
-/// What a stage is given or has produced, shown to the observer while it lives.
+/// What a stage is given or has produced, shown to the observer while it lives. A cv::Mat1f is a
+/// confidence.
 using Artifact = std::variant<std::monostate, const ImagePair*, const DisparityRange*,
                               const CostVolume*, const AggregatedVolume*, const DisparityMap*,
-                              const MatchResult*, const MatchRequest*>;
+                              const MatchResult*, const MatchRequest*, const cv::Mat1f*>;
 
 struct StageStatistics {
   double seconds = 0;     ///< wall time, stages inside included

@@ -67,6 +67,10 @@ function runLayers(scene, run, settings) {
     at("disparity", "disparity", rampLayer(page.ramps.disparity, () => numbers(run.disparity),
       () => scene.span, " px", "none: see the status")),
     at("status", "status", classLayer(page.statuses, () => unpack(run.status)))];
+  if (run.confidence) {
+    layers.push(at("confidence", "confidence", rampLayer(page.ramps.disparity,
+      () => numbers(run.confidence), () => [0, 1], "", "none")));
+  }
   if (scene.truth) {
     layers.push(
       at("error", "error", rampLayer(page.ramps.error, () => errors(scene, run),

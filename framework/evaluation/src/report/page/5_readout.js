@@ -24,6 +24,9 @@ async function runRow(scene, run, runIndex, i) {
     const truth = (await numbers(scene.truth)).values[i];
     cells.push(shown(Math.abs(disparity - truth)));
   }
+  if (scene.runs.some((r) => r.confidence)) {
+    cells.push(run.confidence ? shown((await numbers(run.confidence)).values[i]) : "–");
+  }
   return cells;
 }
 
@@ -50,6 +53,7 @@ async function readout(scene, x, y) {
     heading.append(` · truth ${shown((await numbers(scene.truth)).values[i])} px`);
     head.push("Error, px");
   }
+  if (scene.runs.some((r) => r.confidence)) head.push("Confidence");
   const parts = [heading, tableOf(head, rows)];
   for (const run of scene.runs.filter((r) => r.levels.length > 0)) {
     const levels = await Promise.all(run.levels.map((level) => levelRow(level, x, y)));
