@@ -51,8 +51,8 @@ DisparityMap first_winners(const AggregatedVolume& sums) {
 
 }  // namespace
 
-Violations check_selection(const Selection& stage) {
-  Report report;
+Violations check_selection(const Selection& stage, const Watch& watch) {
+  Report report(watch);
   for (const Input& input : inputs()) {
     report.with(input.name, [&] {
       const AggregatedVolume sums = random_sums(input, 0);
@@ -67,8 +67,8 @@ Violations check_selection(const Selection& stage) {
   return report.take();
 }
 
-Violations check_refinement(const Refinement& stage) {
-  Report report;
+Violations check_refinement(const Refinement& stage, const Watch& watch) {
+  Report report(watch);
   for (const Input& input : inputs()) {
     report.with(input.name, [&] {
       const AggregatedVolume sums = random_sums(input, 3);
