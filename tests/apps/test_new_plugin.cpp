@@ -40,7 +40,8 @@ void check_refused(const TemporaryFolder& folder, const std::string& arguments,
 TEST_CASE("new-plugin: every kind of the core has a template") {
   const auto kinds = xgm::testing::template_kinds(xgm::testing::Language::cpp);
   std::vector<std::string> expected;
-  for (const KindInfo& kind : Registry().kinds()) expected.push_back(kind.name);
+  const Registry registry;
+  for (const KindInfo& kind : registry.kinds()) expected.push_back(kind.name);
   std::sort(expected.begin(), expected.end());
   CHECK(kinds == expected);
 }

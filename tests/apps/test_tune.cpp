@@ -17,7 +17,7 @@ using xgm::testing::TemporaryFolder;
 
 namespace {
 
-/// Four small scenes, and a pipeline with a penalty that is far too low.
+/// Four small scenes, and a pipeline with penalties that are far too high.
 struct Desk : TemporaryFolder {
   Desk() {
     write("p.yaml",
@@ -25,7 +25,7 @@ struct Desk : TemporaryFolder {
           "matcher:\n"
           "  type: semi_global\n"
           "  cost: census\n"
-          "  penalty: {type: constant, p1: 0, p2: 0}\n"
+          "  penalty: {type: constant, p1: 3000, p2: 3000}\n"
           "  aggregation: {type: sgm, directions: 4}\n");
     REQUIRE(call("synth scenes --count 4 --size 60x40 --disparities 0:9").exit_code == 0);
   }

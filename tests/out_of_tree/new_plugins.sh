@@ -48,7 +48,7 @@ claim "all are described, and their pipelines are sound"
 for kind in $kinds; do
   plugin=build/own_$kind/xgm_own_$kind.so
   sdk/bin/pipeline describe "$kind/own_$kind" --plugin "$plugin" >/dev/null || fail "$kind"
-  [ "$kind" = dataset ] ||
+  [ ! -e "own_$kind/pipeline.yaml" ] ||
     sdk/bin/pipeline check "own_$kind/pipeline.yaml" --plugin "$plugin" >/dev/null || fail "$kind"
 done
 

@@ -26,6 +26,7 @@ Violations check_stage(const Stage& stage, const Watch& watch) {
       check_as(stage, check_refinement, watch, found) ||
       check_as(stage, check_filter, watch, found) ||
       check_as(stage, check_consistency, watch, found) ||
+      check_as(stage, check_confidence, watch, found) ||
       check_as(stage, check_search_range, watch, found) ||
       check_as(stage, check_dataset, watch, found) || check_as(stage, check_pipeline, watch, found);
   if (!known) found.emplace_back("the stage is of no kind that has a contract");

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contracts of the stages that read sums: selection and refinement.
+// Contracts of the stages that read sums: selection, refinement and confidence.
+#include <cmath>
+
 #include "contract_cells.hpp"
 
 namespace xgm::testing {
@@ -49,6 +51,37 @@ DisparityMap first_winners(const AggregatedVolume& sums) {
   return map;
 }
 
+/// Judges a map as its matcher would, which lacks what the stage does not ask for.
+void check_confidence_on(Report& report, const Confidence& stage, const Input& input) {
+  const AggregatedVolume sums = random_sums(input, 2);
+  const DisparityMap map = first_winners(sums);
+  const DisparityMap other =
+      first_winners(random_sums({input.name, input.pair.swapped(), input.range.reversed()}, 2));
+  const auto evidence = [&](const ImagePair& pair) {
+    return Evidence{pair, map, stage.needs_sums() ? &sums : nullptr,
+                    stage.needs_other_view() ? &other : nullptr};
+  };
+  const Bytes before = bytes_of(map) + bytes_of(sums) + bytes_of(other) + bytes_of(input.pair);
+  const cv::Mat1f confidence =
+      run_with_threads(report, [&] { return stage.run(evidence(input.pair), Context{}); });
+  report.expect(bytes_of(map) + bytes_of(sums) + bytes_of(other) + bytes_of(input.pair) == before,
+                "the evidence was changed");
+  const auto fault = Confidence::fault_of(confidence, evidence(input.pair), Context{});
+  report.expect_none(fault);
+  if (fault) return;
+  for (int y = 0; y < map.size().height; ++y) {
+    for (int x = 0; x < map.size().width; ++x) {
+      report.expect(map.has_disparity(y, x) || std::isnan(confidence(y, x)),
+                    "a pixel without a disparity has a confidence", y, x);
+    }
+  }
+  for (const float level : {0.0F, 255.0F}) {
+    const ImagePair pair = with_levels_under_masks(input.pair, level);
+    report.expect(bytes_of(stage.run(evidence(pair), Context{})) == bytes_of(confidence),
+                  "grey levels of masked pixels matter");
+  }
+}
+
 }  // namespace
 
 Violations check_selection(const Selection& stage, const Watch& watch) {
@@ -80,6 +113,14 @@ Violations check_refinement(const Refinement& stage, const Watch& watch) {
                     "the inputs were changed");
       report.expect_none(Refinement::fault_of(refined, map, sums, Context{}));
     });
+  }
+  return report.take();
+}
+
+Violations check_confidence(const Confidence& stage, const Watch& watch) {
+  Report report(watch);
+  for (const Input& input : inputs()) {
+    report.with(input.name, [&] { check_confidence_on(report, stage, input); });
   }
   return report.take();
 }

@@ -153,6 +153,12 @@ Bytes bytes_of(const Image& image) {
 
 Bytes bytes_of(const ImagePair& pair) { return bytes_of(pair.base) + bytes_of(pair.match); }
 
+Bytes bytes_of(const cv::Mat1f& values) {
+  Bytes bytes;
+  append(bytes, values);
+  return bytes;
+}
+
 Bytes bytes_of(const DisparityMap& map) {
   Bytes bytes;
   append(bytes, map.disparity);

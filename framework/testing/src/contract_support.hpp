@@ -62,6 +62,7 @@ double chance(std::uint64_t key, int y, int x, int d = 0);
 using Bytes = std::string;
 Bytes bytes_of(const Image& image);
 Bytes bytes_of(const ImagePair& pair);
+Bytes bytes_of(const cv::Mat1f& values);
 Bytes bytes_of(const DisparityMap& map);
 Bytes bytes_of(const MatchResult& result);
 Bytes bytes_of(const DisparityRange& range);

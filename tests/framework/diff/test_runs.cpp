@@ -122,4 +122,7 @@ TEST_CASE(
   CHECK(contains(error("empty"), "has neither run.json nor disparity.pfm"));
   runs.write("b/run.json", "{\"versions\": ");
   CHECK(contains(error("b"), "b/run.json: is no record of a run"));
+  runs.write("a/run.json", record(4, "11"));
+  runs.write("b/run.json", R"({"scene": {"inputs": [7]}})");
+  CHECK(contains(error("b"), "run.json is no record of a run"));
 }

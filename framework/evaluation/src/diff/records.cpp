@@ -2,14 +2,18 @@
 #include "diff/records.hpp"
 
 #include <algorithm>
+#include <initializer_list>
 #include <map>
-#include <utility>
 
 namespace xgm {
 namespace {
 
-/// Names and values, in the order of a record.
-using Values = std::vector<std::pair<std::string, std::string>>;
+/// What is compared, and what is shown of it.
+struct Value {
+  std::string name, content, text;
+};
+/// In the order of a record.
+using Values = std::vector<Value>;
 
 std::string plain_text(const Json& value) {
   return value.is_string() ? value.text() : value.dump();
@@ -23,10 +27,11 @@ void flatten(const Json& json, const std::string& path, Values& values) {
     }
   } else if (json.is_array()) {
     std::size_t i = 0;
-    for (const Json& element : json)
+    for (const Json& element : json) {
       flatten(element, path + "[" + std::to_string(i++) + "]", values);
+    }
   } else if (!json.is_null()) {
-    values.emplace_back(path, plain_text(json));
+    values.push_back({path, plain_text(json), plain_text(json)});
   }
 }
 
@@ -46,94 +51,68 @@ Values values_of(const Json& record, std::initializer_list<const char*> keys,
   return values;
 }
 
-/// What differs, in the order of the first; what only the second has comes last.
-std::vector<Difference> compare(const Values& first, const Values& second) {
-  std::vector<Difference> differences;
-  const std::map<std::string, std::string> in_first(first.begin(), first.end());
-  const std::map<std::string, std::string> in_second(second.begin(), second.end());
-  for (const auto& [name, value] : first) {
-    const auto other = in_second.find(name);
-    const std::string text = other == in_second.end() ? kNoFigure : other->second;
-    if (text != value) differences.push_back({name, value, text});
-  }
-  for (const auto& [name, value] : second) {
-    if (!in_first.contains(name)) differences.push_back({name, kNoFigure, value});
-  }
-  return differences;
+Values joined(std::initializer_list<Values> lists) {
+  Values all;
+  for (const Values& list : lists) all.insert(all.end(), list.begin(), list.end());
+  return all;
 }
 
-Values joined(Values first, const Values& second) {
-  first.insert(first.end(), second.begin(), second.end());
-  return first;
+Values configuration(const Json& record) {
+  return joined({values_of(record, {"pipeline", "resolved"}),
+                 values_of(record, {"disparities", "first"}, "disparities searched, first"),
+                 values_of(record, {"disparities", "last"}, "disparities searched, last")});
 }
 
-struct Input {
-  std::string content, text;
-};
-
-/// By role; several of one role are counted.
-std::vector<std::pair<std::string, Input>> inputs_of(const Json& record) {
-  std::vector<std::pair<std::string, Input>> inputs;
+/// By role and content; several files of one role are counted.
+Values inputs(const Json& record) {
+  Values values;
   const Json* const list = part(record, {"scene", "inputs"});
-  if (list == nullptr) return inputs;
+  if (list == nullptr) return values;
   std::map<std::string, int> seen;
   for (const Json& input : *list) {
     const std::string role = plain_text(input.at("role"));
     const int number = ++seen[role];
     const std::string hash = plain_text(input.at("fnv1a64"));
-    inputs.emplace_back(number == 1 ? role : role + " " + std::to_string(number),
-                        Input{plain_text(input.at("bytes")) + " " + hash,
-                              plain_text(input.at("file")) + " (" + hash + ")"});
-  }
-  return inputs;
-}
-
-std::vector<Difference> compare_inputs(const Json& first, const Json& second) {
-  const auto a = inputs_of(first), b = inputs_of(second);
-  Values contents_a, contents_b;
-  std::map<std::string, std::string> texts_a, texts_b;
-  for (const auto& [role, input] : a) {
-    contents_a.emplace_back(role, input.content);
-    texts_a[role] = input.text;
-  }
-  for (const auto& [role, input] : b) {
-    contents_b.emplace_back(role, input.content);
-    texts_b[role] = input.text;
-  }
-  std::vector<Difference> differences = compare(contents_a, contents_b);
-  for (Difference& difference : differences) {
-    if (difference.first != kNoFigure) difference.first = texts_a[difference.what];
-    if (difference.second != kNoFigure) difference.second = texts_b[difference.what];
-  }
-  return differences;
-}
-
-Values searched(const Json& record) {
-  Values values;
-  for (const char* end : {"first", "last"}) {
-    for (auto& value : values_of(record, {"disparities", end}, std::string("disparities.") + end)) {
-      values.push_back(std::move(value));
-    }
+    values.push_back({number == 1 ? role : role + " " + std::to_string(number),
+                      plain_text(input.at("bytes")) + " " + hash,
+                      plain_text(input.at("file")) + " (" + hash + ")"});
   }
   return values;
 }
 
 Values figures(const Json& record) {
-  Values values = values_of(record, {"threads"}, "threads");
-  values = joined(values, values_of(record, {"seconds"}, "seconds"));
-  values = joined(values, values_of(record, {"peak_memory_bytes"}, "peak_memory_bytes"));
-  return joined(values, values_of(record, {"valid_share"}, "valid_share"));
+  return joined({values_of(record, {"threads"}, "threads"),
+                 values_of(record, {"seconds"}, "seconds"),
+                 values_of(record, {"peak_memory_bytes"}, "peak_memory_bytes"),
+                 values_of(record, {"valid_share"}, "valid_share")});
+}
+
+const Value* find(const Values& values, const std::string& name) {
+  const auto found = std::ranges::find(values, name, &Value::name);
+  return found == values.end() ? nullptr : &*found;
+}
+
+/// In the order of the first; what only the second has comes last.
+std::vector<Difference> compare(const Values& first, const Values& second) {
+  std::vector<Difference> differences;
+  for (const Value& value : first) {
+    const Value* const other = find(second, value.name);
+    if (other != nullptr && other->content == value.content) continue;
+    differences.push_back({value.name, value.text, other != nullptr ? other->text : kNoFigure});
+  }
+  for (const Value& value : second) {
+    if (find(first, value.name) == nullptr)
+      differences.push_back({value.name, kNoFigure, value.text});
+  }
+  return differences;
 }
 
 }  // namespace
 
 void compare_records(const Json& first, const Json& second, RunDiff& diff) {
-  const auto configuration = [](const Json& record) {
-    return joined(values_of(record, {"pipeline", "resolved"}), searched(record));
-  };
   diff.configuration = compare(configuration(first), configuration(second));
   diff.program = compare(values_of(first, {"versions"}), values_of(second, {"versions"}));
-  diff.inputs = compare_inputs(first, second);
+  diff.inputs = compare(inputs(first), inputs(second));
   diff.figures = compare(figures(first), figures(second));
 }
 

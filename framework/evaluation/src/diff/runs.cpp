@@ -82,7 +82,12 @@ RunDiff compare_runs(const std::string& first, const std::string& second, double
   const Run a = read_run(first), b = read_run(second);
   RunDiff diff;
   if (both_have(kRecordFile, a.record.has_value(), b.record.has_value(), diff)) {
-    compare_records(*a.record, *b.record, diff);
+    try {
+      compare_records(*a.record, *b.record, diff);
+    } catch (const Error& error) {
+      throw Error(first + " or " + second + ": run.json is no record of a run (" + error.message() +
+                  "); run again");
+    }
   }
   if (both_have(kMapFile, !a.map.empty(), !b.map.empty(), diff)) {
     if (a.map.size() == b.map.size()) {

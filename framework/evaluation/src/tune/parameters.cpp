@@ -2,8 +2,8 @@
 // What parameters may be, and points drawn of it.
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <optional>
 #include <set>
@@ -12,6 +12,7 @@
 #include "xgm/base/error.hpp"
 #include "xgm/base/random.hpp"
 #include "xgm/base/scalar.hpp"
+#include "xgm/base/text.hpp"
 #include "xgm/evaluation/tune.hpp"
 
 namespace xgm {
@@ -37,15 +38,21 @@ std::optional<Range> parse_range(const std::string& text) {
   return Range{*first, *last, is_whole(low) && is_whole(high)};
 }
 
+/// The number with so many significant digits, which are the same in every locale.
+std::string with_digits(double value, int digits) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
+                                 std::chars_format::general, digits);
+  return {text.data(), end.ptr};
+}
+
 std::string number_text(double value, const TuneParameter& parameter) {
   if (parameter.whole) return std::to_string(std::llround(value));
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g", value);
-  // Three digits may lie outside of the range, but its ends do not.
-  const double rounded = to_number<double>(text.data()).value_or(value);
-  if (rounded >= parameter.low && rounded <= parameter.high) return text.data();
-  std::snprintf(text.data(), text.size(), "%.9g", std::clamp(value, parameter.low, parameter.high));
-  return text.data();
+  constexpr int kDigits = 3;
+  const std::string text = with_digits(value, kDigits);
+  const double rounded = to_number<double>(text).value_or(value);
+  // A rounded number may lie outside of the range; what it was rounded from does not.
+  return rounded >= parameter.low && rounded <= parameter.high ? text : short_number(value);
 }
 
 std::string draw(const TuneParameter& parameter, Random& random) {

@@ -8,6 +8,7 @@
 
 #include "xgm/base/export.hpp"
 #include "xgm/stage/aggregation.hpp"
+#include "xgm/stage/confidence.hpp"
 #include "xgm/stage/consistency.hpp"
 #include "xgm/stage/cost.hpp"
 #include "xgm/stage/dataset.hpp"
@@ -74,6 +75,9 @@ XGM_API Violations check_filter(const Filter& stage, const Watch& watch = {});
 
 /// Takes pixels away as occluded or mismatched and changes nothing else; keeps maps that agree.
 XGM_API Violations check_consistency(const Consistency& stage, const Watch& watch = {});
+
+/// 0 to 1 or NaN, and NaN where there is no disparity, of the evidence that it says it needs.
+XGM_API Violations check_confidence(const Confidence& stage, const Watch& watch = {});
 
 /// Has the size of the limits; leaves something to search wherever the limits do; the range around
 /// a flat coarse map holds twice its disparity.
