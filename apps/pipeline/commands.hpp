@@ -21,5 +21,10 @@ void add_explain(CommandLine& line);
 void add_plan(CommandLine& line);
 void add_speed(CommandLine& line);
 void add_tiles(CommandLine& line);
+void add_diff(CommandLine& line);
+void add_tune(CommandLine& line);
+void add_new_plugin(CommandLine& line);
+void add_check_plugin(CommandLine& line);
+void add_doctor(CommandLine& line);
 
 }  // namespace xgm::cli

@@ -57,6 +57,11 @@ int main(int argc, char** argv) {
   add_plan(line);
   add_speed(line);
   add_tiles(line);
+  add_diff(line);
+  add_tune(line);
+  add_new_plugin(line);
+  add_check_plugin(line);
+  add_doctor(line);
   try {
     if (const char* target = std::getenv("XGM_SIMD")) simd.emplace(target);
     return finish(line.run());

@@ -9,14 +9,13 @@
 #include <memory>
 
 #include "bench/bench_files.hpp"
+#include "bench/bench_maps.hpp"
 #include "bench/bench_run.hpp"
 #include "bench/bench_surfaces.hpp"
 #include "commands.hpp"
 #include "options/surfaces.hpp"
 #include "options/values.hpp"
-#include "xgm/base/parallel.hpp"
 #include "xgm/evaluation/bench_submission.hpp"
-#include "xgm/pipeline/lookup.hpp"
 
 namespace xgm::cli {
 namespace {
@@ -67,30 +66,6 @@ std::optional<NamedPipelines> load_pipelines(const BenchOptions& options,
   return named;
 }
 
-BenchRequest make_request(const BenchOptions& options, const Registry& registry,
-                          std::vector<BenchPipeline> pipelines, const BenchRules& rules) {
-  if (options.fused) throw UsageError("--fused: is for pipelines that make surfaces");
-  BenchRequest request{
-      .output = options.output,
-      .pipelines = std::move(pipelines),
-      .scenes = find_bench_scenes(options.data, registry, options.dataset, options.scenes),
-      .program = identify_program(kThisProgram, plugin_files(registry)),
-      .threads = options.threads > 0 ? options.threads : thread_count()};
-  check_bench(request, rules);
-  if (!options.submit.empty()) check_submission(request, options.submit, options.method);
-  require_inputs_kept(options, request, registry);
-  identify_images(request.scenes);
-  return request;
-}
-
-std::vector<std::string> input_words(const BenchOptions& options, const BenchPipeline& pipeline,
-                                     const BenchScene& scene) {
-  std::vector<std::string> words{"--scene=" + scene.files.name};
-  if (!options.dataset.empty()) words.push_back("--dataset=" + options.dataset);
-  words.insert(words.end(), {"--", pipeline.file, scene.data_folder});
-  return words;
-}
-
 std::vector<BenchFile> tables(const BenchResult& result) {
   std::vector<BenchFile> files;
   for (const BenchTable& table : kBenchTables) {
@@ -112,20 +87,18 @@ void submit(const BenchResult& result, const BenchOptions& options) {
 
 int bench_maps(const BenchOptions& options, const Registry& registry,
                std::vector<BenchPipeline> pipelines, const BenchRules& rules) {
-  const BenchRequest request =
-      before_any_run([&] { return make_request(options, registry, std::move(pipelines), rules); });
+  if (options.fused) throw UsageError("--fused: is for pipelines that make surfaces");
+  const BenchRequest request = before_any_run([&] {
+    BenchRequest all = bench_request(options, registry, std::move(pipelines), rules);
+    if (!options.submit.empty()) check_submission(all, options.submit, options.method);
+    require_inputs_kept(options, all, registry);
+    identify_images(all.scenes);
+    return all;
+  });
   const auto lock = hold_output(options);
   const Interruptible interruptible;
   Progress progress;
-  const BenchHooks hooks{
-      .run =
-          [&](const BenchPipeline& pipeline, const BenchScene& scene, const std::string& folder) {
-            return run_program(kThisProgram,
-                               run_words(options, request.threads, pipeline, folder,
-                                         input_words(options, pipeline, scene)),
-                               (std::filesystem::path(folder) / kCellLog).string());
-          },
-      .tell = [&](const BenchProgress& at) { tell(at, progress); }};
+  const BenchHooks hooks = bench_hooks(options, request.threads, progress);
   progress.begin("looking for what is done already");
   const BenchResult result = run_bench(request, rules, hooks);
   write_tables(bench_text(result), tables(result), progress);

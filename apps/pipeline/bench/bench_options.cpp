@@ -10,7 +10,7 @@
 namespace xgm::cli {
 namespace {
 
-void add_work(Command command, BenchOptions& options) {
+void add_pipelines(Command command, BenchOptions& options) {
   command
       .option("--pipelines", options.pipelines,
               "Pipeline files or names of shipped ones, separated by commas; all: every "
@@ -18,17 +18,9 @@ void add_work(Command command, BenchOptions& options) {
       .type_name("PIPELINE,...")
       .comma_separated()
       .required();
-  command
-      .option("--data", options.data,
-              "Folders of scenes, or scenes, of any known data set (see 'pipeline list "
-              "dataset'); for pipelines of type surface, satellite scenes with a scene.yaml")
-      .type_name("DIR...")
-      .required();
-  add_dataset_option(command, options.dataset);
-  command.option("--scenes", options.scenes, "Only these scenes, separated by commas")
-      .type_name("NAME,...")
-      .comma_separated();
-  add_set_option(command, options.assignments);
+}
+
+void add_sweeps(Command command, BenchOptions& options) {
   command
       .option("--sweep", options.sweeps,
               "Run every pipeline with each of these values, for example "
@@ -38,27 +30,6 @@ void add_work(Command command, BenchOptions& options) {
   command.flag("--fused", options.fused,
                "For pipelines of type surface: all images of a scene at once. Without it, every "
                "two of them by themselves");
-  add_threads_option(command, options.threads, "Threads of each run; without it all processors");
-  add_memory_limit_option(command, options.memory_limit);
-}
-
-void add_rules(Command command, BenchOptions& options) {
-  add_thresholds_option(command, options.thresholds);
-  command
-      .option("--scale", options.scale,
-              "Multiply errors by it before they are judged: 4 judges maps of quarter "
-              "resolution in px of the full one; full: what each scene's data set says")
-      .type_name("NUMBER|full")
-      .show_default();
-  command.flag("--clip", options.rules.clip,
-               "Move disparities into 0 to ndisp of the scene before they are judged, as "
-               "Middlebury does");
-  command
-      .option("--region", options.rules.region,
-              "Pixels that are judged. Without it: non-occluded, where a scene tells")
-      .type_name("NAME")
-      .one_of(
-          {"all", "non-occluded", "occluded", "near discontinuities", "background", "foreground"});
 }
 
 void add_output(Command command, BenchOptions& options) {
@@ -84,9 +55,46 @@ void add_output(Command command, BenchOptions& options) {
 
 }  // namespace
 
+void add_bench_data(Command command, BenchOptions& options) {
+  command
+      .option("--data", options.data,
+              "Folders of scenes, or scenes, of any known data set (see 'pipeline list "
+              "dataset'); for pipelines of type surface, satellite scenes with a scene.yaml")
+      .type_name("DIR...")
+      .required();
+  add_dataset_option(command, options.dataset);
+  command.option("--scenes", options.scenes, "Only these scenes, separated by commas")
+      .type_name("NAME,...")
+      .comma_separated();
+  add_set_option(command, options.assignments);
+  add_threads_option(command, options.threads, "Threads of each run; without it all processors");
+  add_memory_limit_option(command, options.memory_limit);
+}
+
+void add_bench_rules(Command command, BenchOptions& options) {
+  command
+      .option("--scale", options.scale,
+              "Multiply errors by it before they are judged: 4 judges maps of quarter "
+              "resolution in px of the full one; full: what each scene's data set says")
+      .type_name("NUMBER|full")
+      .show_default();
+  command.flag("--clip", options.rules.clip,
+               "Move disparities into 0 to ndisp of the scene before they are judged, as "
+               "Middlebury does");
+  command
+      .option("--region", options.rules.region,
+              "Pixels that are judged. Without it: non-occluded, where a scene tells")
+      .type_name("NAME")
+      .one_of(
+          {"all", "non-occluded", "occluded", "near discontinuities", "background", "foreground"});
+}
+
 void add_bench_options(Command command, BenchOptions& options) {
-  add_work(command, options);
-  add_rules(command, options);
+  add_pipelines(command, options);
+  add_bench_data(command, options);
+  add_sweeps(command, options);
+  add_thresholds_option(command, options.thresholds);
+  add_bench_rules(command, options);
   add_output(command, options);
 }
 

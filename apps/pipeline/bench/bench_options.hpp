@@ -30,6 +30,10 @@ struct BenchOptions {
 };
 
 void add_bench_options(Command command, BenchOptions& options);
+/// Of these: the scenes, and what all runs on them have alike.
+void add_bench_data(Command command, BenchOptions& options);
+/// Of these: how maps are judged, but for the thresholds.
+void add_bench_rules(Command command, BenchOptions& options);
 
 /// The pipelines that were named; "all" is every shipped one. Throws UsageError.
 std::vector<std::string> pipeline_names(const BenchOptions& options);

@@ -22,9 +22,6 @@ void add_plugin_options(Command command, PluginOptions& options) {
       .one_value_each();
 }
 
-namespace {
-
-/// What satellite pipelines need, or why this program lacks it.
 void add_satellites(Registry& registry) {
 #ifdef XGM_HAS_GEO
   geo::add_geo(registry);
@@ -37,13 +34,16 @@ void add_satellites(Registry& registry) {
 #endif
 }
 
-}  // namespace
-
-Registry make_registry(const PluginOptions& options) {
+Registry load_plugins(const PluginOptions& options) {
   Registry registry = Registry::with_builtins();
   for (const std::string& file : options.files) registry.load(file);
   if (const char* paths = std::getenv("XGM_PLUGIN_PATH")) registry.load_path(paths);
   registry.load_path(plugins_folder());
+  return registry;
+}
+
+Registry make_registry(const PluginOptions& options) {
+  Registry registry = load_plugins(options);
   for (const LoadFailure& failure : registry.failures()) {
     log_warning("plugin " + failure.file + " could not be loaded: " + failure.reason);
   }

@@ -17,8 +17,12 @@ struct PluginOptions {
 void add_plugin_options(Command command, PluginOptions& options);
 
 /// The built-in plugins, those of --plugin, of XGM_PLUGIN_PATH and of the installation's folder of
-/// plugins. Files that cannot be loaded are warned of, and do not stop anything that does not need
-/// them.
+/// plugins.
+Registry load_plugins(const PluginOptions& options);
+/// What satellite pipelines need, or why this program lacks it.
+void add_satellites(Registry& registry);
+/// All of these. Files that cannot be loaded are warned of, and do not stop anything that does not
+/// need them.
 Registry make_registry(const PluginOptions& options);
 
 void add_set_option(Command command, std::vector<std::string>& assignments);

@@ -85,8 +85,8 @@ void check_confidence_on(Report& report, const Confidence& stage, const Input& i
 
 }  // namespace
 
-Violations check_selection(const Selection& stage) {
-  Report report;
+Violations check_selection(const Selection& stage, const Watch& watch) {
+  Report report(watch);
   for (const Input& input : inputs()) {
     report.with(input.name, [&] {
       const AggregatedVolume sums = random_sums(input, 0);
@@ -101,8 +101,8 @@ Violations check_selection(const Selection& stage) {
   return report.take();
 }
 
-Violations check_refinement(const Refinement& stage) {
-  Report report;
+Violations check_refinement(const Refinement& stage, const Watch& watch) {
+  Report report(watch);
   for (const Input& input : inputs()) {
     report.with(input.name, [&] {
       const AggregatedVolume sums = random_sums(input, 3);
@@ -118,8 +118,8 @@ Violations check_refinement(const Refinement& stage) {
   return report.take();
 }
 
-Violations check_confidence(const Confidence& stage) {
-  Report report;
+Violations check_confidence(const Confidence& stage, const Watch& watch) {
+  Report report(watch);
   for (const Input& input : inputs()) {
     report.with(input.name, [&] { check_confidence_on(report, stage, input); });
   }

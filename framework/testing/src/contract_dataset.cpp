@@ -45,8 +45,8 @@ bool is_error_that_names(const Dataset& stage, const std::string& path) {
 
 }  // namespace
 
-Violations check_dataset(const Dataset& stage) {
-  detail::Report report;
+Violations check_dataset(const Dataset& stage, const Watch& watch) {
+  detail::Report report(watch);
   const Place place;
   for (const char* name : {"empty", "other"}) {
     report.with(name, [&] {

@@ -91,15 +91,15 @@ void check_penalty_on(Report& report, const Penalty& stage, const ImagePair& pai
 
 }  // namespace
 
-Violations check_preprocess(const Preprocess& stage) {
-  Report report;
+Violations check_preprocess(const Preprocess& stage, const Watch& watch) {
+  Report report(watch);
   for (const Input& input : inputs())
     report.with(input.name, [&] { check_preprocess_on(report, stage, input.pair); });
   return report.take();
 }
 
-Violations check_penalty(const Penalty& stage) {
-  Report report;
+Violations check_penalty(const Penalty& stage, const Watch& watch) {
+  Report report(watch);
   for (const Input& input : inputs())
     report.with(input.name, [&] { check_penalty_on(report, stage, input.pair); });
   return report.take();

@@ -185,11 +185,14 @@ void check_agreeing(Report& report, const Consistency& stage) {
   report.with("maps that agree", [&] {
     const MatchResult maps{flat_map(size, 6, Status::peak, 0), flat_map(size, -6, Status::peak, 0)};
     const MatchResult checked = stage.run(maps, Context{});
+    const auto fault = Consistency::fault_of(checked, maps, Context{});
+    report.expect_none(fault);
+    if (fault) return;
     each_pixel(size, [&](int y, int x) {
       const bool visible = x >= 6, visible_reverse = x + 6 < size.width;
       report.expect(!visible || checked.forward.has_disparity(y, x),
                     "an agreeing pixel was taken away", y, x);
-      report.expect(!visible_reverse || !checked.reverse || checked.reverse->has_disparity(y, x),
+      report.expect(!visible_reverse || checked.reverse->has_disparity(y, x),
                     "an agreeing pixel of the reverse map was taken away", y, x);
     });
   });
@@ -216,20 +219,22 @@ void check_flat(Report& report, const SearchRange& stage) {
   const cv::Size fine(37, 24);
   report.with("flat coarse map", [&] {
     const DisparityMap coarse = flat_map(half(fine), 9, Status::occluded, 0.05);
-    const DisparityRange range =
-        stage.run(coarse, DisparityRange::uniform(fine, {0, 64}), Context{});
-    if (range.size() == fine)
-      each_pixel(fine, [&](int y, int x) {
-        report.expect(range.at(y, x).contains(18),
-                      "the range does not hold twice the coarse disparity", y, x);
-      });
+    const DisparityRange limits = DisparityRange::uniform(fine, {0, 64});
+    const DisparityRange range = stage.run(coarse, limits, Context{});
+    const auto fault = SearchRange::fault_of(range, coarse, limits, Context{});
+    report.expect_none(fault);
+    if (fault) return;
+    each_pixel(fine, [&](int y, int x) {
+      report.expect(range.at(y, x).contains(18),
+                    "the range does not hold twice the coarse disparity", y, x);
+    });
   });
 }
 
 }  // namespace
 
-Violations check_filter(const Filter& stage) {
-  Report report;
+Violations check_filter(const Filter& stage, const Watch& watch) {
+  Report report(watch);
   for (const Input& input : inputs()) {
     const Interval hull = input.range.hull();
     const ImagePair& pair = input.pair;
@@ -251,8 +256,8 @@ Violations check_filter(const Filter& stage) {
   return report.take();
 }
 
-Violations check_fuser(const Fuser& stage) {
-  Report report;
+Violations check_fuser(const Fuser& stage, const Watch& watch) {
+  Report report(watch);
   for (const Input& input : inputs()) {
     const Interval hull = input.range.hull();
     report.with(input.name, [&] { check_fuser_on(report, stage, input.pair, hull); });
@@ -264,8 +269,8 @@ Violations check_fuser(const Fuser& stage) {
   return report.take();
 }
 
-Violations check_consistency(const Consistency& stage) {
-  Report report;
+Violations check_consistency(const Consistency& stage, const Watch& watch) {
+  Report report(watch);
   for (const Input& input : inputs()) {
     const Interval hull = input.range.hull();
     report.with(input.name, [&] {
@@ -278,8 +283,8 @@ Violations check_consistency(const Consistency& stage) {
   return report.take();
 }
 
-Violations check_search_range(const SearchRange& stage) {
-  Report report;
+Violations check_search_range(const SearchRange& stage, const Watch& watch) {
+  Report report(watch);
   for (const Input& input : inputs()) {
     const Image coarse(cv::Mat1f(half(input.pair.size()), 0.0F));
     const Interval hull = input.range.hull();

@@ -41,16 +41,18 @@ void check_on(Report& report, const Matcher& stage, const MatchRequest& request)
 }
 
 /// Catches what no bound does: a wrong sign, a shift, both views mixed up.
-void check_easy_scene(Report& report, const Matcher& stage, Interval disparities) {
+void check_easy_scene(Report& report, const Matcher& stage, const char* name,
+                      Interval disparities) {
   SceneOptions options;
   options.size = {120, 90};
   options.disparities = disparities;
   options.objects = 2;
   const SyntheticScene scene = make_scene(options);
-  report.with("easy scene", [&] {
-    const DisparityMap map =
-        stage.run({scene.pair, DisparityRange::uniform(options.size, disparities), {}}, Context{})
-            .forward;
+  report.with(name, [&] {
+    const MatchRequest request{scene.pair, DisparityRange::uniform(options.size, disparities), {}};
+    const MatchResult result = stage.run(request, Context{});
+    report.expect_none(Matcher::fault_of(result, request, Context{}));
+    const DisparityMap& map = result.forward;
     if (map.size() != options.size) return;
     int visible = 0, right = 0;
     for (int y = 0; y < map.size().height; ++y) {
@@ -64,10 +66,23 @@ void check_easy_scene(Report& report, const Matcher& stage, Interval disparities
   });
 }
 
+/// A family as the matcher that it is to its callers.
+class FamilyMatcher final : public Matcher {
+ public:
+  explicit FamilyMatcher(const StereoFamily& family) : family_(family) {}
+  MatchResult run(const MatchRequest& request, const Context& context) const override {
+    return family_.run(request, context);
+  }
+  bool accepts_range_maps() const override { return family_.accepts_range_maps(); }
+
+ private:
+  const StereoFamily& family_;
+};
+
 }  // namespace
 
-Violations check_matcher(const Matcher& stage) {
-  Report report;
+Violations check_matcher(const Matcher& stage, const Watch& watch) {
+  Report report(watch);
   for (const Input& input : inputs()) {
     if (!input.range.is_uniform() && !stage.accepts_range_maps()) continue;
     report.with(input.name, [&] { check_on(report, stage, {input.pair, input.range, {}}); });
@@ -76,9 +91,13 @@ Violations check_matcher(const Matcher& stage) {
   report.with("empty range", [&] {
     check_on(report, stage, {usual.pair, DisparityRange::uniform(usual.pair.size(), {5, 5}), {}});
   });
-  check_easy_scene(report, stage, {0, 16});
-  check_easy_scene(report, stage, {-14, 2});
+  check_easy_scene(report, stage, "easy scene", {0, 16});
+  check_easy_scene(report, stage, "easy scene below zero", {-14, 2});
   return report.take();
+}
+
+Violations check_pipeline(const StereoFamily& stage, const Watch& watch) {
+  return check_matcher(FamilyMatcher(stage), watch);
 }
 
 }  // namespace xgm::testing

@@ -18,11 +18,16 @@ std::string place_of(int y, int x) {
 void Report::with(const std::string& name, const std::function<void()>& body) {
   input_ = name;
   told_.clear();
+  of_input_.clear();
+  watch_.begin(name);
   try {
     body();
   } catch (const std::exception& error) {
     fail("it throws", std::string(": ") + error.what());
+  } catch (...) {
+    fail("it throws", " something that is no exception");
   }
+  watch_.end(of_input_);
 }
 
 void Report::expect(bool holds, const char* rule) {
@@ -38,7 +43,9 @@ void Report::expect_none(const std::optional<Fault>& fault) {
 }
 
 void Report::fail(const std::string& rule, const std::string& place) {
-  if (told_.insert(rule).second) violations_.push_back(input_ + ": " + rule + place);
+  if (!told_.insert(rule).second) return;
+  of_input_.push_back(rule + place);
+  violations_.push_back(input_ + ": " + rule + place);
 }
 
 double chance(std::uint64_t key, int y, int x, int d) {

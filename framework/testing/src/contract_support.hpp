@@ -20,6 +20,8 @@ namespace xgm::testing::detail {
 /// Collects violations; each rule is told once per input.
 class Report {
  public:
+  explicit Report(const Watch& watch) : watch_(watch) {}
+
   /// Runs `body` on the input called `name`; what it throws is a violation.
   void with(const std::string& name, const std::function<void()>& body);
   void expect(bool holds, const char* rule);
@@ -31,8 +33,10 @@ class Report {
  private:
   void fail(const std::string& rule, const std::string& place);
 
+  Watch watch_;
   std::string input_;
   std::set<std::string> told_;
+  Violations of_input_;
   Violations violations_;
 };
 

@@ -103,8 +103,8 @@ void check_aggregation_on(Report& report, const Aggregation& stage, const Input&
 
 }  // namespace
 
-Violations check_cost(const Cost& stage) {
-  Report report;
+Violations check_cost(const Cost& stage, const Watch& watch) {
+  Report report(watch);
   for (const Input& input : inputs()) {
     report.with(input.name, [&] {
       const ImagePair& pair = input.pair;
@@ -132,8 +132,8 @@ Violations check_cost(const Cost& stage) {
   return report.take();
 }
 
-Violations check_aggregation(const Aggregation& stage) {
-  Report report;
+Violations check_aggregation(const Aggregation& stage, const Watch& watch) {
+  Report report(watch);
   for (const Input& input : inputs())
     for (const int max_cost : {24, 254})
       report.with(input.name + ", costs up to " + std::to_string(max_cost),

@@ -2,6 +2,7 @@
 // Sweeps over parameters, and the names of their points.
 #include <algorithm>
 
+#include "bench/point_names.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/evaluation/bench.hpp"
 
@@ -33,14 +34,6 @@ std::vector<std::string> split_values(const std::string& text) {
 
 std::string last_key(const std::string& path) { return path.substr(path.rfind('.') + 1); }
 
-/// The last part of the path if that tells it from the other sweeps', else all of it.
-std::string short_name(const Sweep& sweep, const std::vector<Sweep>& all) {
-  const auto namesakes = std::count_if(all.begin(), all.end(), [&](const Sweep& other) {
-    return last_key(other.path) == last_key(sweep.path);
-  });
-  return namesakes == 1 ? last_key(sweep.path) : sweep.path;
-}
-
 void require_once(const Sweep& sweep, const std::vector<Sweep>& all) {
   const auto same = [&](const Sweep& other) { return other.path == sweep.path; };
   if (std::count_if(all.begin(), all.end(), same) == 1) return;
@@ -49,18 +42,29 @@ void require_once(const Sweep& sweep, const std::vector<Sweep>& all) {
 
 }  // namespace
 
-Sweep parse_sweep(const std::string& text) {
+std::string point_name(const std::vector<Override>& values) {
+  std::string name;
+  for (const Override& value : values) {
+    const auto namesakes = std::count_if(values.begin(), values.end(), [&](const auto& other) {
+      return last_key(other.path) == last_key(value.path);
+    });
+    name += "+" + (namesakes == 1 ? last_key(value.path) : value.path) + "=" + value.value;
+  }
+  return name;
+}
+
+Sweep parse_sweep(const std::string& text, const std::string& option) {
   const std::size_t equals = text.find('=');
   if (equals == 0 || equals == std::string::npos) {
-    throw Error("--sweep " + text + ": write PATH=VALUE,VALUE, for example matcher.scale=4,8");
+    throw Error(option + " " + text + ": write PATH=VALUE,VALUE, for example matcher.scale=4,8");
   }
   Sweep sweep{text.substr(0, equals), split_values(text.substr(equals + 1))};
   std::vector<std::string> sorted = sweep.values;
   std::sort(sorted.begin(), sorted.end());
-  if (sorted.front().empty()) throw Error("--sweep " + text + ": a value is empty");
+  if (sorted.front().empty()) throw Error(option + " " + text + ": a value is empty");
   const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
   if (twice != sorted.end()) {
-    throw Error("--sweep " + text + ": the value " + *twice + " is given twice");
+    throw Error(option + " " + text + ": the value " + *twice + " is given twice");
   }
   return sweep;
 }
@@ -73,12 +77,12 @@ std::vector<SweepPoint> sweep_points(const std::vector<Sweep>& sweeps) {
     for (const SweepPoint& point : points) {
       for (const std::string& value : sweep.values) {
         SweepPoint& next = longer.emplace_back(point);
-        next.name += "+" + short_name(sweep, sweeps) + "=" + value;
         next.overrides.push_back({sweep.path, value});
       }
     }
     points = std::move(longer);
   }
+  for (SweepPoint& point : points) point.name = point_name(point.overrides);
   return points;
 }
 

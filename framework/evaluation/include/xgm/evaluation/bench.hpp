@@ -22,8 +22,9 @@ struct Sweep {
   std::string path;                 ///< "matcher.scale"
   std::vector<std::string> values;  ///< YAML
 };
-/// Parses "matcher.scale=4,8". Commas within [], {}, () and quotes belong to a value. Throws Error.
-XGM_API Sweep parse_sweep(const std::string& text);
+/// Parses "matcher.scale=4,8". Commas within [], {}, () and quotes belong to a value. Throws Error,
+/// which names the option.
+XGM_API Sweep parse_sweep(const std::string& text, const std::string& option = "--sweep");
 
 /// One value for each swept parameter.
 struct SweepPoint {
