@@ -11,6 +11,7 @@
 #include "xgm/io/image_io.hpp"
 #include "xgm/io/map_in_parts.hpp"
 #include "xgm/io/outputs.hpp"
+#include "xgm/io/pfm.hpp"
 #include "xgm/io/write_maps.hpp"
 #include "xgm/pipeline/lookup.hpp"
 #include "xgm/synthesis/plain_scene.hpp"
