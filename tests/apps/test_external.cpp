@@ -62,7 +62,8 @@ TEST_CASE("bench: programs that hang, crash, flood and write half a file fail al
                                              "head -c 99 /dev/zero > "
                                              "\"$folder/disparity.npy\""));
   const Outcome bench = desk.run(
-      "bench good.yaml hangs.yaml crashes.yaml floods.yaml half.yaml sgm8 --data data --output b");
+      "bench --pipelines good.yaml,hangs.yaml,crashes.yaml,floods.yaml,half.yaml,sgm8 --data data "
+      "--output b");
   INFO(bench.output, bench.errors);
   CHECK(bench.exit_code == 1);
   const auto json = nlohmann::json::parse(read_file(desk / "b/bench.json"));

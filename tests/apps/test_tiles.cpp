@@ -114,6 +114,23 @@ TEST_CASE("run --tiles: images and maps that are not held give the bytes of thos
   check_held_and_not(desk, files + " --left-mask mask.png");
 }
 
+TEST_CASE("run --tiles: the confidence is joined, too, held or not") {
+  const Desk desk({240, 160}, 32);
+  const std::string arguments =
+      "tsgm8 scene --tiles 130x100 --set matcher.matcher.matcher.confidence=peak_ratio";
+  const std::string file = desk / "out/confidence.pfm";
+  REQUIRE(desk.run(arguments + " --report").exit_code == 0);
+  const std::string held = read_file(file);
+  const cv::Mat1f sure = read_pfm(file), map = read_pfm(desk / "out/disparity.pfm");
+  CHECK(cv::countNonZero((sure == sure) != (map == map)) == 0);  // where there is a disparity
+  const Outcome in_windows = desk.run(arguments);
+  REQUIRE(in_windows.exit_code == 0);
+  CHECK(contains(in_windows.output, "out/confidence.pfm"));
+  CHECK(read_file(file) == held);
+  REQUIRE(desk.run("tsgm8 scene --tiles 130x100").exit_code == 0);
+  CHECK_FALSE(std::filesystem::exists(file));
+}
+
 TEST_CASE("run --tiles: a scene's truth is compared, unless its images do not fit") {
   const Desk desk({240, 160}, 32);
   write_pfm(desk / "scene/disp0GT.pfm", cv::Mat1f(cv::Size(240, 160), 5.0F));

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """A matcher for stages of type external (docs/external.md): block matching.
 

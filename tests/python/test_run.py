@@ -33,6 +33,18 @@ def test_what_is_written_is_what_the_command_line_writes(scene, sgm8, program, t
     assert [output["file"] for output in ours.record["outputs"]][0] == "disparity.pfm"
 
 
+def test_a_confidence_comes_with_the_map_and_is_written_with_it(scene, sgm8, tmp_path):
+    assert sgm8.run(scene.left, scene.right, (0, 32)).confidence is None
+    sure = xgm.load("sgm8", set={"matcher.matcher.confidence": "peak_ratio"})
+    result = sure.run(scene.left, scene.right, (0, 32))
+    assert result.confidence.dtype == np.float32
+    assert np.array_equal(np.isfinite(result.confidence), np.isfinite(result.disparity))
+    assert np.nanmin(result.confidence) >= 0 and np.nanmax(result.confidence) <= 1
+    assert result.reverse.confidence.shape == result.disparity.shape
+    result.write(tmp_path)
+    assert same(xgm.read_disparities(tmp_path / "confidence.pfm"), result.confidence)
+
+
 @pytest.mark.parametrize("left, right", [("scene/im0.png", "scene/im1.png")])
 def test_files_and_arrays_give_the_same(scene, sgm8, tmp_path, left, right):
     scene.write(tmp_path / "scene")

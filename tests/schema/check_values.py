@@ -20,6 +20,7 @@ schema = json.loads(subprocess.run([program, "schema"], check=True, capture_outp
 validator = jsonschema.Draft7Validator(schema)
 
 SEMI_GLOBAL = {"type": "semi_global", "cost": "census", "penalty": "constant", "aggregation": "sgm"}
+SURE = {**SEMI_GLOBAL, "confidence": "agreement"}  # some filters need one
 # What a plugin cannot be without: stages, and lists whose lengths depend on each other.
 NEEDED = {
     ("matcher", "semi_global"): SEMI_GLOBAL,
@@ -27,9 +28,13 @@ NEEDED = {
     ("matcher", "pyramid"): {"matcher": SEMI_GLOBAL},
     ("pointing", "ground_control"): {"points": "points.csv"},
     ("cost", "weighted_sum"): {"costs": ["census"], "weights": [1]},
+    ("confidence", "weighted"): {"confidences": ["agreement"], "weights": [1]},
+    **{(kind, "external"): {"command": ["true"]} for kind in ("matcher", "cost", "filter")},
+    **{(kind, "precomputed"): {"file": "map"} for kind in ("matcher", "cost")},
 }
-# One number for each of the costs, one of them above 0: a schema cannot say that.
-RELATED = {("weighted_sum", "weights")}
+# One number for each of the stages, one of them above 0; the name of a program: a schema cannot say
+# that.
+RELATED = {("weighted_sum", "weights"), ("weighted", "weights"), ("external", "command")}
 
 
 # The families of pipelines, by their names, and what they have at their top.
@@ -47,10 +52,10 @@ def pipeline_with(kind, stage):
     if kind == "pipeline":
         return {"matcher": SEMI_GLOBAL, **{k: v for k, v in stage.items() if k != "type"}}
     if kind in ("filter", "preprocess"):
-        return {"matcher": SEMI_GLOBAL, {"filter": "postprocess"}.get(kind, kind): [stage]}
+        return {"matcher": SURE, {"filter": "postprocess"}.get(kind, kind): [stage]}
     if kind == "matcher":
         return {"matcher": stage}
-    if kind == "consistency":
+    if kind == "consistency" or stage["type"] == "left_right_difference":
         return {"matcher": {"type": "left_right", "matcher": SEMI_GLOBAL, kind: stage}}
     if kind == "search_range":
         return {"matcher": {"type": "pyramid", "matcher": SEMI_GLOBAL, kind: stage}}

@@ -31,6 +31,9 @@ class ConfidenceThreshold final : public xgm::Filter {
 
   xgm::DisparityMap run(const xgm::DisparityMap& map, const xgm::ImagePair&,
                         const xgm::Context&) const override {
+    if (map.confidence.size() != map.size()) {
+      throw xgm::Error("the map has no confidence; give its matcher one");
+    }
     const float lowest = std::max(static_cast<float>(p_.min), lowest_kept(map));
     xgm::DisparityMap kept = map.clone();
     xgm::parallel_for(0, map.size().height, [&](int y) {

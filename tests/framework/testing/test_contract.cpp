@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "support/support.hpp"
 
@@ -139,6 +140,29 @@ class Narrow final : public SearchRange {
   }
 };
 
+enum class SureFault { none, everywhere, large, levels };
+
+/// As sure of everything, with one fault.
+class FaultyConfidence final : public Confidence {
+ public:
+  explicit FaultyConfidence(SureFault fault) : fault_(fault) {}
+  cv::Mat1f run(const Evidence& evidence, const Context&) const override {
+    cv::Mat1f sure(evidence.map.size(), fault_ == SureFault::large ? 2.0F : 0.5F);
+    if (fault_ == SureFault::levels && evidence.pair.base.planes[0](0, 0) == 255) sure *= 0.5;
+    if (fault_ == SureFault::everywhere) return sure;
+    for (int y = 0; y < sure.rows; ++y) {
+      for (int x = 0; x < sure.cols; ++x) {
+        if (evidence.map.has_disparity(y, x)) continue;
+        sure(y, x) = std::numeric_limits<float>::quiet_NaN();
+      }
+    }
+    return sure;
+  }
+
+ private:
+  SureFault fault_;
+};
+
 class Inventive final : public Consistency {
  public:
   MatchResult run(const MatchResult& result, const Context&) const override {
@@ -168,6 +192,14 @@ TEST_CASE("contract checks: a filter that keeps the contract passes, each plante
   CHECK(tells(check_filter(FaultyFilter(MapFault::lost)), "a missing pixel takes another"));
   CHECK(tells(check_filter(FaultyFilter(MapFault::unmasked)), "other pixels are masked"));
   CHECK(tells(check_filter(FaultyFilter(MapFault::size)), "image's size"));
+}
+
+TEST_CASE(
+    "contract checks: a confidence that keeps the contract passes, each planted fault is told") {
+  CHECK(check_confidence(FaultyConfidence(SureFault::none)) == Violations{});
+  CHECK(tells(check_confidence(FaultyConfidence(SureFault::everywhere)), "without a disparity"));
+  CHECK(tells(check_confidence(FaultyConfidence(SureFault::large)), "not in 0 to 1"));
+  CHECK(tells(check_confidence(FaultyConfidence(SureFault::levels)), "grey levels of masked"));
 }
 
 TEST_CASE("contract checks: faults of the other kinds are told") {

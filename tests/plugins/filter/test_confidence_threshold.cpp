@@ -77,6 +77,13 @@ TEST_CASE("confidence_threshold: filled pixels go before matched ones, however u
   CHECK(kept("{type: confidence_threshold, keep: 0.75}", filtered) == "x.xx");
 }
 
+TEST_CASE("confidence_threshold says what is missing if nobody looked before") {
+  DisparityMap map = row({1, 0});
+  map.confidence.release();
+  CHECK_THROWS_AS(stage<Filter>("{type: confidence_threshold, keep: 0.5}")->run(map, {}, {}),
+                  Error);
+}
+
 TEST_CASE("confidence_threshold that keeps everything is a mistake, and so are unsure numbers") {
   for (const char* faulty :
        {"confidence_threshold", "{type: confidence_threshold, min: 0}",
