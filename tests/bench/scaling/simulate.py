@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """How the time of a scene in tiles falls with the number of workers, by simulation.
 

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """The model of simulate.py beside what follows from its definition where that is plain."""
 import copy
