@@ -20,9 +20,8 @@ void add_depth(Command command, RunCommandOptions& options) {
 void add_keeping(Command command, RunCommandOptions& options) {
   auto resume = command.flag(
       "--resume", options.resume,
-      "Go on from what a run of the same command that did not end has left in DIR/unfinished.xgm. "
-      "Given from the beginning, all that is done is kept; without it, what is done after the "
-      "first 5 seconds");
+      "Go on from what a run of the same command that did not end has left in DIR/unfinished.xgm, "
+      "which is kept more completely if this is given from the beginning");
   auto cache =
       command
           .option("--cache", options.cache,

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """How the time of a scene in tiles falls with the number of workers, by simulation.
 
@@ -8,7 +7,7 @@ at all of the images, matches its window, and writes its part. What jobs take wa
 (measured.json), what a cluster adds is assumed (cluster in the same file). Nothing else is in the
 model: no other users, no failing nodes.
 
-    simulate.py [--inputs measured.json] [--megapixels 6,100,400] [--workers 1,16,128,1000]
+    simulate.py [--megapixels 6,100,400] [--workers 1,16,128,1000] [--preprocess none]
 """
 import argparse
 import heapq
@@ -80,9 +79,10 @@ def tile_seconds(inputs, megapixels, tiles, seed):
     return seconds
 
 
-def look_seconds(inputs, megapixels):
+def look_seconds(inputs, megapixels, preprocess):
     """What each job does before it matches: start, hashes of the images, looks at all pixels."""
-    return inputs["job"]["start_seconds"] + inputs["job"]["look_seconds_per_megapixel"] * megapixels
+    job = inputs["job"]
+    return job["start_seconds"] + job["look_seconds_per_megapixel"][preprocess] * megapixels
 
 
 def run_jobs(seconds, workers, begin, inputs, fetch_bytes, server):
@@ -108,10 +108,10 @@ def run_jobs(seconds, workers, begin, inputs, fetch_bytes, server):
     return last, spent
 
 
-def simulate(inputs, megapixels, workers, seed=1):
+def simulate(inputs, megapixels, workers, preprocess="ransac_deskew", seed=1):
     tiles = tile_count(megapixels, inputs["tile"]["side"])
     image_bytes = inputs["job"]["image_bytes_per_megapixel"] * megapixels
-    look = look_seconds(inputs, megapixels)
+    look = look_seconds(inputs, megapixels, preprocess)
     server = FileServer(inputs["cluster"])
     small = coarse_megapixels(megapixels, inputs["coarse"])
     coarse = look + inputs["coarse"]["seconds_per_megapixel"] * small
@@ -127,6 +127,14 @@ def simulate(inputs, megapixels, workers, seed=1):
     )
 
 
+def one_process_seconds(inputs, megapixels, preprocess="ransac_deskew"):
+    """Of `pipeline run --tiles` with one thread, which looks at the images once and joins nothing."""
+    small = coarse_megapixels(megapixels, inputs["coarse"])
+    coarse = inputs["coarse"]["seconds_per_megapixel"] * small
+    tiles = inputs["tile"]["seconds_per_megapixel"] * megapixels
+    return look_seconds(inputs, megapixels, preprocess) + coarse + tiles
+
+
 def numbers(text):
     return [float(number) for number in text.split(",")]
 
@@ -136,18 +144,25 @@ def main():
     parser.add_argument("--inputs", default=HERE / "measured.json")
     parser.add_argument("--megapixels", type=numbers, default=[6, 25, 100, 400, 2500])
     parser.add_argument("--workers", type=numbers, default=[1, 16, 128, 1000])
+    parser.add_argument(
+        "--preprocess",
+        choices=["ransac_deskew", "none", "kept"],
+        default="ransac_deskew",
+        help="what is done to the images; kept: as if no job had to look at more than its window",
+    )
     options = parser.parse_args()
     inputs = json.loads(Path(options.inputs).read_text())
-    print("| MP | tiles | workers | seconds | coarse | tiles | join | speed-up | used |")
-    print("|---:|---:|---:|---:|---:|---:|---:|---:|---:|")
+    head = ["MP", "jobs", "one process"] + [f"{workers:g} workers" for workers in options.workers]
+    print("| " + " | ".join(head) + " |")
+    print("|---:" * len(head) + "|")
     for megapixels in options.megapixels:
-        one = simulate(inputs, megapixels, 1).seconds
+        one = one_process_seconds(inputs, megapixels, options.preprocess)
+        row = [f"{megapixels:g}", tile_count(megapixels, inputs["tile"]["side"]) + 2, f"{one:.0f} s"]
         for workers in map(int, options.workers):
-            run = simulate(inputs, megapixels, workers)
-            row = [f"{megapixels:g}", tile_count(megapixels, inputs["tile"]["side"]), workers]
-            row += [f"{run.seconds:.0f}"] + [f"{part:.0f}" for part in run.parts.values()]
-            row += [f"{one / run.seconds:.1f}", f"{100 * one / run.seconds / workers:.0f} %"]
-            print("| " + " | ".join(map(str, row)) + " |")
+            run = simulate(inputs, megapixels, workers, options.preprocess)
+            parts = " + ".join(f"{part:.0f}" for part in run.parts.values())
+            row.append(f"{run.seconds:.0f} s = {parts}; {one / run.seconds:.1f}x")
+        print("| " + " | ".join(map(str, row)) + " |")
 
 
 if __name__ == "__main__":

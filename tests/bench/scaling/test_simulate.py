@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """The model of simulate.py beside what follows from its definition where that is plain."""
 import copy
@@ -54,7 +53,7 @@ class Model(unittest.TestCase):
     def test_a_run_is_coarse_then_tiles_then_join(self):
         inputs = plain()
         run = simulate.simulate(inputs, 100, 1)
-        look = simulate.look_seconds(inputs, 100)
+        look = simulate.look_seconds(inputs, 100, "ransac_deskew")
         tiles = simulate.tile_count(100, inputs["tile"]["side"])
         coarse = look + inputs["coarse"]["seconds_per_megapixel"] * 100 / 8**2
         join = inputs["job"]["start_seconds"] + inputs["join"]["seconds_per_megapixel"] * 100
@@ -74,6 +73,14 @@ class Model(unittest.TestCase):
         coarse = {"most_megapixels": 4, "coarsest_scale": 8}
         for megapixels, small in ((1, 1 / 4), (16, 4), (17, 17 / 16), (1000, 1000 / 64)):
             self.assertEqual(simulate.coarse_megapixels(megapixels, coarse), small)
+
+    def test_one_process_looks_once_where_jobs_look_each(self):
+        inputs = plain()
+        jobs = simulate.simulate(inputs, 100, 1)
+        look = simulate.look_seconds(inputs, 100, "ransac_deskew")
+        tiles = simulate.tile_count(100, inputs["tile"]["side"])
+        one = simulate.one_process_seconds(inputs, 100)
+        self.assertAlmostEqual(jobs.seconds - jobs.parts["join"] - one, tiles * look, places=3)
 
     def test_square_images_are_cut_into_squares(self):
         self.assertEqual(simulate.tile_count(100, 2000), 25)

@@ -68,7 +68,7 @@ TEST_CASE("an unfinished run is gone on with, and leaves nothing when it has end
   CHECK(desk.told.empty());
 }
 
-TEST_CASE("a run that was not asked to go on begins anew, and keeps nothing while it is short") {
+TEST_CASE("a run that was not asked to go on begins anew, and keeps what costs little beside it") {
   Desk desk;
   desk.run(true).keep("a", {map_of(1), {}});
   UnfinishedRun anew = desk.run(false);
@@ -76,7 +76,10 @@ TEST_CASE("a run that was not asked to go on begins anew, and keeps nothing whil
   CHECK_FALSE(anew.find("a").has_value());
   anew.keep("a", {map_of(1), {}});
   CHECK_FALSE(fs::exists(desk.folder));
-  UnfinishedRun longer(desk.folder, kQuestion, {.after_seconds = 0});
+  UnfinishedRun long_run(desk.folder, kQuestion, {.after_seconds = 0, .share = 0});
+  long_run.keep("a", {map_of(1), {}});
+  CHECK_FALSE(fs::exists(desk.folder));
+  UnfinishedRun longer(desk.folder, kQuestion, {.after_seconds = 0, .share = 1e9});
   longer.keep("a", {map_of(1), {}});
   CHECK(desk.run(true).find("a").has_value());
 }

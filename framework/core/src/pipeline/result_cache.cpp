@@ -2,6 +2,7 @@
 #include "xgm/pipeline/result_cache.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <map>
 
@@ -18,6 +19,7 @@ namespace fs = std::filesystem;
 /// The files of one result.
 struct Entry {
   std::vector<fs::path> files{};  // that which says that they are complete is the first
+  bool is_complete = false;
   std::uint64_t bytes = 0;
   fs::file_time_type used = fs::file_time_type::min();
 };
@@ -43,6 +45,7 @@ std::vector<Entry> entries_of(const std::string& folder) {
     if (vanished) continue;
     Entry& entry = entries[id];
     const bool is_record = file.path().extension() == ".json";
+    entry.is_complete = entry.is_complete || is_record;
     entry.files.insert(is_record ? entry.files.begin() : entry.files.end(), file.path());
     entry.bytes += bytes;
     entry.used = std::max(entry.used, used);
@@ -50,6 +53,12 @@ std::vector<Entry> entries_of(const std::string& folder) {
   std::vector<Entry> all;
   for (auto& [id, entry] : entries) all.push_back(std::move(entry));
   return all;
+}
+
+/// Another run is at work on it, or was not long ago.
+bool is_being_written(const Entry& entry) {
+  constexpr std::chrono::hours kLongest(1);
+  return !entry.is_complete && entry.used > fs::file_time_type::clock::now() - kLongest;
 }
 
 /// Names what is found and kept by the part of the scene.
@@ -113,6 +122,7 @@ void ResultCache::trim() const {
             [](const Entry& a, const Entry& b) { return a.used < b.used; });
   for (const Entry& entry : entries) {
     if (bytes <= limit_) return;
+    if (is_being_written(entry)) continue;
     for (const fs::path& file : entry.files) {
       std::error_code vanished;
       fs::remove(file, vanished);

@@ -78,14 +78,21 @@ std::optional<MatchResult> UnfinishedRun::find(const std::string& name) {
 }
 
 void UnfinishedRun::keep(const std::string& name, const MatchResult& result) {
+  if (!options_.resume && !is_cheap(result)) return;
   if (!is_there_) {
-    const std::chrono::duration<double> run = std::chrono::steady_clock::now() - begin_;
-    if (!options_.resume && run.count() < options_.after_seconds) return;
     make_output_folder(results_->path());
     write_question();
     is_there_ = true;
   }
   results_->write(name, result);
+}
+
+bool UnfinishedRun::is_cheap(const MatchResult& result) const {
+  constexpr double kBytesPerSecond = 150e6;  // written, hashed and on a disk that is no fast one
+  const std::chrono::duration<double> run = std::chrono::steady_clock::now() - begin_;
+  const std::size_t bytes = result.forward.bytes() + (result.reverse ? result.reverse->bytes() : 0);
+  return run.count() >= options_.after_seconds &&
+         static_cast<double>(bytes) / kBytesPerSecond <= options_.share * run.count();
 }
 
 std::optional<DisparityMap> UnfinishedRun::find_part(const std::string& name) {

@@ -21,9 +21,10 @@ class XGM_API UnfinishedRun final : public KeptResults {
  public:
   struct Options {
     /// Go on from what is in the folder, and keep all from the beginning on. Without it, the folder
-    /// is emptied, and short runs keep nothing.
+    /// is emptied, and kept is what costs little beside the run:
     bool resume = false;
-    double after_seconds = 5;  ///< from the beginning of the run; what is done before is not kept
+    double after_seconds = 5;  ///< what is done from then on,
+    double share = 0.02;       ///< and is written in this share of the time of the run so far
     /// Told of results that are damaged.
     std::function<void(const std::string&)> tell = [](const std::string&) {};
   };
@@ -47,6 +48,7 @@ class XGM_API UnfinishedRun final : public KeptResults {
  private:
   void take_up();
   void write_question() const;
+  bool is_cheap(const MatchResult& result) const;
 
   Json question_;
   Json decisions_ = Json::object();
