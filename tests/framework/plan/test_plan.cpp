@@ -155,6 +155,32 @@ TEST_CASE("a pyramid's finer levels are estimates, within what they may search")
   CHECK(trace_of(shipped("sgm8")).narrowing == std::nullopt);
 }
 
+TEST_CASE("beside a pyramid, a matcher of a fusion searches everything") {
+  const auto traced = [](const std::string& matcher) {
+    const std::string yaml = "matcher: " + matcher + "\n";
+    return trace_of(*load_pipeline_text(yaml, "test.yaml", builtins()).pipeline);
+  };
+  const std::string flat =
+      "{type: semi_global, cost: census, penalty: constant, aggregation: {type: sgm, directions: "
+      "4}}";
+  const std::string pyramid =
+      "{type: pyramid, scale: 4, matcher: {type: left_right, matcher: " + flat + "}}";
+  const RunTrace alone = traced(pyramid);
+  const RunTrace fused = traced("{type: fusion, matchers: [" + flat + ", " + pyramid + "]}");
+  REQUIRE(alone.narrowing);
+  REQUIRE(fused.narrowing);
+  CHECK(fused.narrowing->spread == doctest::Approx(alone.narrowing->spread));
+  CHECK(fused.narrowing->lost == doctest::Approx(alone.narrowing->lost));
+  int seen = 0;
+  for (const PlannedStage& stage : plan_run(fused, dense({800, 600}, 100)).stages) {
+    if (stage.place.path != "matcher.matchers[0]") continue;
+    CHECK(stage.load.cells_per_pixel == 112);
+    CHECK_FALSE(stage.load.estimated);
+    ++seen;
+  }
+  CHECK(seen == 1);
+}
+
 TEST_CASE("the disparities that fit are found") {
   const RunTrace trace = trace_of(shipped("sgm8"));
   const PlanRequest request = dense({1000, 500}, 300);

@@ -20,12 +20,18 @@ constexpr double kMaxPixels = 0.4e6;
 
 using Calls = std::vector<trace::Call>;
 
+/// Whether it tells how far a pyramid narrows the search. Beside pyramids, others of a fusion may
+/// search everything.
+bool matches_level(const trace::Call& call) {
+  return call.is_matcher && call.has_volumes && !call.place.level.name.empty();
+}
+
 /// The mean of what the matchers of one scale searched, of both views.
 trace::Call mean_at(const Calls& calls, double scale) {
   trace::Call mean;
   double count = 0;
   for (const trace::Call& call : calls) {
-    if (!call.is_matcher || !call.has_volumes || call.place.level.scale != scale) continue;
+    if (!matches_level(call) || call.place.level.scale != scale) continue;
     mean.range = call.range;
     mean.cells_per_pixel += call.cells_per_pixel;
     mean.searched += call.searched;
@@ -41,7 +47,7 @@ trace::Call mean_at(const Calls& calls, double scale) {
 std::optional<Narrowing> fit(const Calls& calls, Interval range) {
   std::vector<double> scales;
   for (const trace::Call& call : calls) {
-    if (call.is_matcher && call.has_volumes) scales.push_back(call.place.level.scale);
+    if (matches_level(call)) scales.push_back(call.place.level.scale);
   }
   std::sort(scales.begin(), scales.end());
   scales.erase(std::unique(scales.begin(), scales.end()), scales.end());

@@ -22,8 +22,11 @@ class Scale {
 
  private:
   cv::Size size(cv::Size small, const Level& level) const;
-  /// Whether the call belongs to a level that searches around what a coarser one has found.
-  bool is_narrowed(const Call& call) const { return call.place.level.scale < coarsest_; }
+  /// Whether the call belongs to a level that searches around what a coarser one has found. Beside
+  /// a pyramid, matchers of a fusion may search everything.
+  bool is_narrowed(const Call& call) const {
+    return !call.place.level.name.empty() && call.place.level.scale < coarsest_;
+  }
 
   const RunTrace& trace_;
   const Workload& from_;
