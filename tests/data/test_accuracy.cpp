@@ -2,6 +2,11 @@
 // Where the shipped pipelines must stand on real scenes: the ten of Middlebury V3 (training,
 // quarter resolution), non-occluded pixels, total error at 1 px, averaged with the benchmark's
 // weights.
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
 #include "support/paths.hpp"
 #include "support/support.hpp"
 #include "xgm/evaluation/metrics.hpp"
@@ -54,6 +59,34 @@ Score average(const std::filesystem::path& data, const std::string& name,
   return score;
 }
 
+/// The numbers in the row of a pipeline in the first table of docs/accuracy.md.
+std::vector<double> told(const std::string& name) {
+  std::ifstream file(XGM_SOURCE_DIR "/docs/accuracy.md");
+  for (std::string line; std::getline(file, line);) {
+    if (!line.starts_with("| " + name + " |")) continue;
+    std::vector<double> numbers;
+    std::istringstream cells(line.substr(name.size() + 4));
+    for (std::string cell; std::getline(cells, cell, '|');) {
+      cell.erase(std::remove(cell.begin(), cell.end(), '*'), cell.end());
+      numbers.push_back(std::stod(cell));
+    }
+    return numbers;
+  }
+  return {};
+}
+
+/// The row has average error, invalid, and then bad and total of each threshold.
+void check_told(const std::string& name, const Score& score) {
+  constexpr double kOtherCompilers = 0.05;
+  const std::vector<double> row = told(name);
+  REQUIRE(row.size() == 2 + 2 * score.total.size());
+  CHECK(std::abs(row[0] - score.average_error) < kOtherCompilers);
+  CHECK(std::abs(row[1] - score.invalid) < kOtherCompilers);
+  for (std::size_t i = 0; i < score.total.size(); ++i) {
+    CHECK(std::abs(row[3 + 2 * i] - score.total[i]) < kOtherCompilers);
+  }
+}
+
 // The best that others reach on these scenes by the same rules: mgm, MGM with 8 directions, V-fit,
 // median and left-right check.
 constexpr double kBestPeerAtHalf = 20.60, kBestPeerAtOne = 13.71;
@@ -72,4 +105,15 @@ TEST_CASE("sgm8 is no worse than StereoSGBM in any mode; tmgm16_refined is a qua
   CHECK(refined.total[1] <= 0.75 * sgm8);
   CHECK(refined.total[0] < kBestPeerAtHalf);
   CHECK(refined.total[1] < kBestPeerAtOne);
+  check_told("tmgm16_refined", refined);
+}
+
+TEST_CASE("tmgm16_best is as accurate as docs/accuracy.md says, an eighth better than refined") {
+  const auto data = xgm::testing::test_data("accuracy of tmgm16_best on Middlebury scenes");
+  if (!data) return;
+  const Score best = average(*data, "tmgm16_best");
+  check_told("tmgm16_best", best);
+  const std::vector<double> refined = told("tmgm16_refined");
+  REQUIRE(refined.size() == 10);
+  for (std::size_t i = 0; i < 3; ++i) CHECK(best.total[i] < 0.875 * refined[3 + 2 * i]);
 }

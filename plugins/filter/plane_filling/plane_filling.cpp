@@ -18,7 +18,7 @@ class PlaneFilling final : public xgm::Filter, public xgm::StatesNeeds {
  public:
   enum class Background { lowest, highest };
   struct Parameters {
-    double scale = 150;
+    double scale = 100;
     int min_size = 30;
     double jump = 1.5;
     double outliers = 0;

@@ -11,7 +11,7 @@
 namespace xgm::plane_filling {
 
 struct SegmentRules {
-  double scale = 150;  ///< grey levels times pixels; larger makes larger segments
+  double scale = 100;  ///< grey levels times pixels; larger makes larger segments
   int min_size = 30;   ///< smaller segments are joined with the neighbour most like them, px
   double jump = 1.5;   ///< neighbours whose disparities differ by more are not joined directly, px
 };
