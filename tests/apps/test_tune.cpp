@@ -76,7 +76,7 @@ TEST_CASE("tune: mistakes are told before any run, exit 2") {
   refused("--over matcher.penalty.p1=9..1 --budget 20", "must begin below its end");
   refused(kOver + "--held-out 1", "--held-out");
   refused("--over matcher.penalty.p1=0,0 --budget 20", "is given twice");
-  refused("--over matcher.penalty.p2=5,9 --budget 3", "--budget 3: two pipelines on all scenes");
+  refused("--over matcher.penalty.p1=5,9 --budget 3", "--budget 3: two pipelines on all scenes");
   refused(kOver + "--scenes nothing", "there is no scene 'nothing'");
 }
 

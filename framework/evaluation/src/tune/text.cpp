@@ -67,6 +67,9 @@ Table table(const TuneResult& result) {
                           {std::to_string(tuned.scenes)},
                           {percent(tuned.error), &tuned == &result.best()}});
   }
+  if (result.ranking.back().scenes < result.best().scenes) {
+    table.notes.push_back("errors over other numbers of scenes cannot be compared");
+  }
   table.notes.push_back(held_out_note(result));
   table.notes.push_back(std::to_string(result.runs) + " runs, seed " +
                         std::to_string(result.request.seed));
