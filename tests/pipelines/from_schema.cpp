@@ -19,8 +19,17 @@ std::string kind_of(const Json& schema) {
 
 /// Matchers in matchers take time, and say no more the deeper they are.
 bool holds_matcher(const Json& plugin) {
-  const Json& properties = plugin.at("properties");
-  return properties.contains("matcher") && kind_of(properties.at("matcher")) == "matcher";
+  for (const Json& field : plugin.at("properties")) {
+    if (kind_of(field.contains("items") ? field.at("items") : field) == "matcher") return true;
+  }
+  return false;
+}
+
+/// Numbers and truth values are texts, too, where texts are wanted.
+bool is_text(const Json& field) {
+  const Json& type = field.at("type");
+  return type == "string" ||
+         (type.is_array() && std::find(type.begin(), type.end(), "string") != type.end());
 }
 
 }  // namespace
@@ -63,6 +72,7 @@ Json PipelineGenerator::value_of(const Json& field, int depth) {
     const Json& value = choices[chosen];
     return field.value("type", "") == "integer" ? Json(value.get<int>()) : value;
   }
+  if (is_text(field)) return text();
   if (field.at("type") == "boolean") return chance(2);
   return number_of(field);
 }
@@ -87,6 +97,12 @@ Json PipelineGenerator::number_of(const Json& field) {
   value = std::floor(value);
   if (odd && std::fmod(value, 2) == 0) value += value < high ? 1 : -1;
   return static_cast<std::int64_t>(value);
+}
+
+Json PipelineGenerator::text() {
+  // No file and no program has such a name.
+  static const std::vector<std::string> kTexts{"", "no such file", "none/{scene}.pfm", "\xc3\xa4"};
+  return kTexts[static_cast<std::size_t>(random_.integer(0, static_cast<int>(kTexts.size()) - 1))];
 }
 
 Json PipelineGenerator::list_of(const Json& field, int depth) {

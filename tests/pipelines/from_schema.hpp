@@ -26,6 +26,7 @@ class PipelineGenerator {
   Json value_of(const Json& field, int depth);
   Json stage_of(const std::string& kind, int depth);
   Json number_of(const Json& field);
+  Json text();
   Json list_of(const Json& field, int depth);
 
   Json schema_, family_;

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "run/polar_plot.hpp"
-#include "xgm/evaluation/page.hpp"
+#include "xgm/evaluation/report_page.hpp"
 #include "xgm/geo/image/pair_figures.hpp"
 #include "xgm/geo/run/relief.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "xgm/evaluation/page.hpp"
+#include "xgm/evaluation/report_page.hpp"
 
 #include <algorithm>
 #include <array>
