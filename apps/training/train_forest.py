@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """Trains the forest of a pipeline whose matcher is `fusion`.
 
