@@ -20,7 +20,8 @@ std::string kind_of(const Json& schema) {
 /// Matchers in matchers take time, and say no more the deeper they are.
 bool holds_matcher(const Json& plugin) {
   const Json& properties = plugin.at("properties");
-  return properties.contains("matcher") && kind_of(properties.at("matcher")) == "matcher";
+  return properties.contains("matchers") ||
+         (properties.contains("matcher") && kind_of(properties.at("matcher")) == "matcher");
 }
 
 }  // namespace
@@ -64,6 +65,7 @@ Json PipelineGenerator::value_of(const Json& field, int depth) {
     return field.value("type", "") == "integer" ? Json(value.get<int>()) : value;
   }
   if (field.at("type") == "boolean") return chance(2);
+  if (field.at("type") == "string") return "";  // a file: none
   return number_of(field);
 }
 
