@@ -65,7 +65,7 @@ Json PipelineGenerator::value_of(const Json& field, int depth) {
     return field.value("type", "") == "integer" ? Json(value.get<int>()) : value;
   }
   if (field.at("type") == "boolean") return chance(2);
-  if (field.at("type") == "string") return "";  // a file: none
+  if (!field.contains("minimum")) return "";  // the name of a file
   return number_of(field);
 }
 
