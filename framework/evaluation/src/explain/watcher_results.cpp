@@ -2,6 +2,7 @@
 // What stages returned, compared with what they were given.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "explain/curve.hpp"
 #include "explain/levels.hpp"
@@ -180,23 +181,30 @@ void Watcher::propose(const Frame& frame, const Track& here, const DisparityMap&
   frames_[frames_.size() - 2].proposals.push_back(std::move(proposal));
 }
 
-/// Which matchers a disparity was taken from, how sure that is, and what the others say.
+/// Which matchers a disparity was taken from, or is nearest to if it is a mean of several; how sure
+/// that is; and what the others say.
 std::string Watcher::choice_text(std::size_t i, const Frame& frame, const Track& here,
                                  const PixelState& choice) const {
   if (here.reverse || frames_.size() < 2) return {};
+  const std::vector<Proposal>& proposals = frames_[frames_.size() - 2].proposals;
+  const auto distance = [&](const Proposal& proposal) {  // NaN if one has no disparity
+    return std::abs(proposal.states[i].disparity - choice.disparity);
+  };
+  float least = std::numeric_limits<float>::infinity();
+  for (const Proposal& proposal : proposals) least = std::fmin(least, distance(proposal));
   std::string from, others;
-  for (const Proposal& proposal : frames_[frames_.size() - 2].proposals) {
-    const PixelState& state = proposal.states[i];
-    if (state == choice) {
-      from += (from.empty() ? " (from " : ", ") + proposal.stage;
+  for (const Proposal& proposal : proposals) {
+    if (distance(proposal) == least) {
+      from += (from.empty() ? "" : ", ") + proposal.stage;
     } else {
-      others += "; " + proposal.stage + " says " + state_text(state);
+      others += "; " + proposal.stage + " says " + state_text(proposal.states[i]);
     }
   }
   if (from.empty()) return {};
   const cv::Mat1f& confidence = frame.result->confidence;
   const bool sure = !confidence.empty() && std::isfinite(confidence(here.at[i]));
-  return from + (sure ? "; confidence " + number(confidence(here.at[i])) : "") + others + ")";
+  return (least == 0 ? " (from " : " (nearest to ") + from +
+         (sure ? "; confidence " + number(confidence(here.at[i])) : "") + others + ")";
 }
 
 void Watcher::tell(std::size_t i, const Frame& frame, Effect effect, std::string text) {
