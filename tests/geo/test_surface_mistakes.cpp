@@ -194,8 +194,8 @@ TEST_CASE("options of pairs of images, which are never ignored in silence") {
   desk.write("mask.png", "no image");
   for (const std::string option :
        {"--disparities 0:9", "--range-maps a.pfm,b.pfm", "--depth d.tiff", "--cloud c.ply",
-        "--dump '*'", "--explain 3,4", "--explain every=9", "--tiles auto",
-        "--memory-limit 1GB", "--nodata 0", "--left-mask mask.png", "--right-mask mask.png",
+        "--dump '*'", "--explain 3,4", "--explain every=9", "--tiles auto", "--memory-limit 1GB",
+        "--nodata 0", "--left-mask mask.png", "--right-mask mask.png",
         "--truth mask.png --truth-divisor 2", "--truth mask.png --truth-nodata 0",
         "--truth mask.png --truth-mask mask.png"}) {
     const std::size_t name = option.rfind("--");

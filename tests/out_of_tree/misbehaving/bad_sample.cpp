@@ -90,6 +90,14 @@ struct BadFilter final : Bad<xgm::Filter> {
   }
 };
 
+struct BadFuser final : Bad<xgm::Fuser> {
+  explicit BadFuser(Parameters) {}
+  xgm::DisparityMap run(const xgm::Candidates& candidates, const xgm::ImagePair&,
+                        const xgm::Context&) const override {
+    return xgm::DisparityMap(larger(candidates.maps.front().size()));
+  }
+};
+
 struct BadConsistency final : Bad<xgm::Consistency> {
   explicit BadConsistency(Parameters) {}
   xgm::MatchResult run(const xgm::MatchResult& maps, const xgm::Context&) const override {
@@ -132,6 +140,7 @@ XGM_PLUGIN(registry) {
   registry.add<BadSelection>("bad_selection", "A map of another size.");
   registry.add<BadRefinement>("bad_refinement", "A map of another size.");
   registry.add<BadFilter>("bad_filter", "A map of another size.");
+  registry.add<BadFuser>("bad_fuser", "A map of another size.");
   registry.add<BadConsistency>("bad_consistency", "One map instead of two.");
   registry.add<BadSearchRange>("bad_search_range", "A range of another size.");
   registry.add<BadDataset>("bad_dataset", "Always throws.");

@@ -74,8 +74,8 @@ XGM_API Violations check_refinement(const Refinement& stage, const Watch& watch 
 /// maps of either view.
 XGM_API Violations check_filter(const Filter& stage, const Watch& watch = {});
 
-/// No disparity lies beyond the candidates'; exactly the masked pixels are masked; maps that are all
-/// the same stay as they are.
+/// No disparity lies beyond the candidates'; exactly the masked pixels are masked; maps that are
+/// all the same stay as they are.
 XGM_API Violations check_fuser(const Fuser& stage, const Watch& watch = {});
 
 /// Takes pixels away as occluded or mismatched and changes nothing else; keeps maps that agree.

@@ -37,10 +37,10 @@ struct SurfaceTruth {
 
 struct RecordedSurface {
   SurfaceResult result;
-  double covered = 0;   ///< share of the grid's cells that have a height
-  double seconds = 0;   ///< of the run, without writing
-  SurfaceTruth truth;   ///< empty without a truth
-  std::string record;   ///< what run.json holds
+  double covered = 0;  ///< share of the grid's cells that have a height
+  double seconds = 0;  ///< of the run, without writing
+  SurfaceTruth truth;  ///< empty without a truth
+  std::string record;  ///< what run.json holds
   std::vector<std::string> warnings{};
   std::string failure;  ///< why the surface is of no use; empty if it has a height anywhere
 };
