@@ -81,10 +81,9 @@ TEST_CASE("a cache holds what it may, and gives up first what was not used for t
   CHECK(desk.cache(limit).find("a").has_value());  // used again
   desk.cache(limit).keep("d", {map_of(3), {}});
   CHECK(desk.bytes() <= limit);
-  for (const auto& [name, is_there] :
-       {std::pair("a", true), {"b", false}, {"c", true}, {"d", true}}) {
-    CAPTURE(std::string(name));
-    CHECK(desk.cache().find(name).has_value() == is_there);
+  for (const std::string name : {"a", "b", "c", "d"}) {
+    CAPTURE(name);
+    CHECK(desk.cache().find(name).has_value() == (name != "b"));
   }
   desk.write("cache/notes.txt", std::string(10000, 'x'));
   desk.cache(one / 2).keep("e", {map_of(3), {}});
