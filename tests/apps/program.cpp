@@ -2,6 +2,7 @@
 #include "apps/program.hpp"
 #include "support/paths.hpp"
 
+#include <doctest/doctest.h>
 #include <sys/wait.h>
 
 #include <array>
@@ -29,6 +30,12 @@ Outcome pipeline(const std::string& folder, const std::string& arguments,
   std::ifstream stream(errors);
   outcome.errors.assign(std::istreambuf_iterator<char>(stream), {});
   return outcome;
+}
+
+void check_usage_error(const Outcome& outcome, const std::string& message) {
+  INFO(outcome.errors);
+  CHECK(outcome.exit_code == 2);
+  CHECK(outcome.errors.find(message) != std::string::npos);
 }
 
 }  // namespace xgm::testing

@@ -17,4 +17,7 @@ struct Outcome {
 Outcome pipeline(const std::string& folder, const std::string& arguments,
                  const std::string& before = {});
 
+/// Exit code 2, and a message with this text.
+void check_usage_error(const Outcome& outcome, const std::string& message);
+
 }  // namespace xgm::testing

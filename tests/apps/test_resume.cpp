@@ -20,6 +20,7 @@
 #include "xgm/testing/synthetic.hpp"
 
 using namespace xgm;
+using xgm::testing::check_usage_error;
 using xgm::testing::contains;
 using xgm::testing::Outcome;
 using xgm::testing::TemporaryFolder;
@@ -87,12 +88,6 @@ void check_whole_or_missing(const Desk& desk) {
   }
 }
 
-void check_usage(const Outcome& outcome, const std::string& message) {
-  INFO(outcome.errors);
-  CHECK(outcome.exit_code == 2);
-  CHECK(contains(outcome.errors, message));
-}
-
 }  // namespace
 
 TEST_CASE("run --resume: ended at any moment, it goes on and gives the bytes of one run") {
@@ -130,16 +125,16 @@ TEST_CASE("run --resume: another question is refused with what differs, or begun
   const std::string how = "tsgm8 scene --tiles 80x80";
   desk.end_halfway(how);
   REQUIRE_FALSE(desk.kept(".json").empty());
-  check_usage(desk.run("tmgm8 scene --tiles 80x80 -o out --resume"),
-              "pipeline.matcher.matcher.matcher.aggregation");
-  check_usage(desk.run("tsgm8 scene --tiles 120x80 -o out --resume"),
-              "out/unfinished.xgm was another one: --tiles differ");
-  check_usage(desk.run(how + " --disparities 0:9 -o out --resume"), "disparities differ");
-  check_usage(desk.run(how + " --nodata 7 -o out --resume"), "no data of the images differ");
+  check_usage_error(desk.run("tmgm8 scene --tiles 80x80 -o out --resume"),
+                    "pipeline.matcher.matcher.matcher.aggregation");
+  check_usage_error(desk.run("tsgm8 scene --tiles 120x80 -o out --resume"),
+                    "out/unfinished.xgm was another one: --tiles differ");
+  check_usage_error(desk.run(how + " --disparities 0:9 -o out --resume"), "disparities differ");
+  check_usage_error(desk.run(how + " --nodata 7 -o out --resume"), "no data of the images differ");
   const std::string image = read_file(desk / "scene/im1.png");
   fs::copy_file(desk / "scene/im0.png", desk / "scene/im1.png",
                 fs::copy_options::overwrite_existing);
-  check_usage(desk.run(how + " -o out --resume"), ": right differ");
+  check_usage_error(desk.run(how + " -o out --resume"), ": right differ");
   desk.write("scene/im1.png", image);
   CHECK_FALSE(desk.kept(".json").empty());  // a refusal takes nothing away
   desk.must_run(how + " -o out");
@@ -251,12 +246,14 @@ TEST_CASE("run --cache: runs side by side in one that is too small are right") {
 
 TEST_CASE("run --resume and --cache: mistakes are exit 2, before any work") {
   const Desk desk({60, 40}, 8);
-  check_usage(desk.run("tsgm8 scene --resume --dump '*' -o out"), "leave out --report, --dump");
-  check_usage(desk.run("tsgm8 scene --cache c --report -o out"), "leave out --report, --dump");
-  check_usage(desk.run("tsgm8 --resume -o out"), "--resume: needs images in files");
-  check_usage(desk.run("tsgm8 scene --resume --cache c -o out"), "--cache");
-  check_usage(desk.run("tsgm8 scene --cache-size 1GB -o out"), "--cache");
-  check_usage(desk.run("tsgm8 scene --cache c --cache-size big -o out"), "--cache-size");
-  check_usage(desk.run("tsgm8 scene --cache scene/im0.png -o out"), "--cache scene/im0.png");
+  check_usage_error(desk.run("tsgm8 scene --resume --dump '*' -o out"),
+                    "leave out --report, --dump");
+  check_usage_error(desk.run("tsgm8 scene --cache c --report -o out"),
+                    "leave out --report, --dump");
+  check_usage_error(desk.run("tsgm8 --resume -o out"), "--resume: needs images in files");
+  check_usage_error(desk.run("tsgm8 scene --resume --cache c -o out"), "--cache");
+  check_usage_error(desk.run("tsgm8 scene --cache-size 1GB -o out"), "--cache");
+  check_usage_error(desk.run("tsgm8 scene --cache c --cache-size big -o out"), "--cache-size");
+  check_usage_error(desk.run("tsgm8 scene --cache scene/im0.png -o out"), "--cache scene/im0.png");
   CHECK_FALSE(fs::exists(desk / "out/run.json"));
 }

@@ -15,6 +15,7 @@
 #include "xgm/io/pfm.hpp"
 
 using namespace xgm;
+using xgm::testing::check_usage_error;
 using xgm::testing::contains;
 using xgm::testing::Outcome;
 using xgm::testing::TemporaryFolder;
@@ -50,12 +51,6 @@ struct Desk : TemporaryFolder {
     return nlohmann::json::parse(read_file(*this / (output + "/run.json")));
   }
 };
-
-void check_usage(const Outcome& outcome, const std::string& message) {
-  INFO(outcome.errors);
-  CHECK(outcome.exit_code == 2);
-  CHECK(contains(outcome.errors, message));
-}
 
 }  // namespace
 
@@ -124,28 +119,28 @@ TEST_CASE("run: range maps, masks and --dump") {
 
 TEST_CASE("run: mistakes of usage are exit 2, before anything is written") {
   const Desk desk;
-  check_usage(desk.run(""), "pipeline is required");
-  check_usage(desk.run("tmgm61 scene"), "did you mean 'tmgm16.yaml'?");
-  check_usage(desk.run("scene p.yaml"), "the pipeline comes first");
-  check_usage(desk.run("p.yaml nowhere"), "no such folder");
-  check_usage(desk.run("p.yaml p.yaml"), "is a file");
-  check_usage(desk.run("p.yaml --left scene/im0.png"), "--right");
-  check_usage(desk.run("p.yaml scene --left scene/im0.png --right scene/im1.png"), "--left");
-  check_usage(desk.run("p.yaml --left no.png --right scene/im1.png"), "no.png");
-  check_usage(desk.run("p.yaml --left scene/im0.png --right scene/im1.png"),
-              "--disparities MIN:MAX");
-  check_usage(desk.run("p.yaml scene --disparities 5"), "MIN:MAX");
-  check_usage(desk.run("p.yaml scene --disparities 0:x"), "MIN:MAX");
-  check_usage(desk.run("p.yaml scene --disparities 0:99999999999"), "MIN:MAX");
-  check_usage(desk.run("p.yaml scene --disparities 9:0"), "did you mean 0:9?");
-  check_usage(desk.run("p.yaml scene --range-maps truth.pfm"), "MIN.pfm,MAX.pfm");
-  check_usage(desk.run("p.yaml scene --range-maps truth.pfm,no.pfm"), "no.pfm");
-  check_usage(desk.run("p.yaml scene --set matcher"), "PATH=VALUE");
-  check_usage(desk.run("p.yaml scene --threads 0"), "--threads");
-  check_usage(desk.run("p.yaml scene --log-level loud"), "--log-level");
-  check_usage(desk.run("p.yaml scene --truth-scale 4"), "--truth");
-  check_usage(desk.run("p.yaml scene --frobnicate"), "frobnicate");
-  check_usage(desk.run("p.yaml scene --output p.yaml/out"), "--output");
+  check_usage_error(desk.run(""), "pipeline is required");
+  check_usage_error(desk.run("tmgm61 scene"), "did you mean 'tmgm16.yaml'?");
+  check_usage_error(desk.run("scene p.yaml"), "the pipeline comes first");
+  check_usage_error(desk.run("p.yaml nowhere"), "no such folder");
+  check_usage_error(desk.run("p.yaml p.yaml"), "is a file");
+  check_usage_error(desk.run("p.yaml --left scene/im0.png"), "--right");
+  check_usage_error(desk.run("p.yaml scene --left scene/im0.png --right scene/im1.png"), "--left");
+  check_usage_error(desk.run("p.yaml --left no.png --right scene/im1.png"), "no.png");
+  check_usage_error(desk.run("p.yaml --left scene/im0.png --right scene/im1.png"),
+                    "--disparities MIN:MAX");
+  check_usage_error(desk.run("p.yaml scene --disparities 5"), "MIN:MAX");
+  check_usage_error(desk.run("p.yaml scene --disparities 0:x"), "MIN:MAX");
+  check_usage_error(desk.run("p.yaml scene --disparities 0:99999999999"), "MIN:MAX");
+  check_usage_error(desk.run("p.yaml scene --disparities 9:0"), "did you mean 0:9?");
+  check_usage_error(desk.run("p.yaml scene --range-maps truth.pfm"), "MIN.pfm,MAX.pfm");
+  check_usage_error(desk.run("p.yaml scene --range-maps truth.pfm,no.pfm"), "no.pfm");
+  check_usage_error(desk.run("p.yaml scene --set matcher"), "PATH=VALUE");
+  check_usage_error(desk.run("p.yaml scene --threads 0"), "--threads");
+  check_usage_error(desk.run("p.yaml scene --log-level loud"), "--log-level");
+  check_usage_error(desk.run("p.yaml scene --truth-scale 4"), "--truth");
+  check_usage_error(desk.run("p.yaml scene --frobnicate"), "frobnicate");
+  check_usage_error(desk.run("p.yaml scene --output p.yaml/out"), "--output");
   CHECK_FALSE(std::filesystem::exists(desk / "xgm_output"));
 }
 
@@ -153,9 +148,9 @@ TEST_CASE("run: a faulty pipeline is exit 2 with its place, and no image is open
   const Desk desk;
   desk.write("bad.yaml", "xgm: 1\nmatcher:\n  type: semi_globl\n");
   desk.write("scene/im0.png", "not an image");
-  check_usage(desk.run("bad.yaml scene"), "bad.yaml:3:");
-  check_usage(desk.run("p.yaml scene --set matcher.matcher.cost.windw=5"), "windw");
-  check_usage(xgm::testing::pipeline(desk.path(), ""), "subcommand");
+  check_usage_error(desk.run("bad.yaml scene"), "bad.yaml:3:");
+  check_usage_error(desk.run("p.yaml scene --set matcher.matcher.cost.windw=5"), "windw");
+  check_usage_error(xgm::testing::pipeline(desk.path(), ""), "subcommand");
 }
 
 TEST_CASE("run: images that cannot be matched are exit 1 with one error that names the file") {

@@ -17,6 +17,7 @@
 #include "xgm/testing/synthetic.hpp"
 
 using namespace xgm;
+using xgm::testing::check_usage_error;
 using xgm::testing::contains;
 using xgm::testing::Outcome;
 using xgm::testing::TemporaryFolder;
@@ -66,12 +67,6 @@ void check_held_and_not(const Desk& desk, const std::string& arguments) {
 }
 
 cv::Mat1b grey_of(const std::string& file) { return read_mask(file, MaskUse::objects).value; }
-
-void check_usage(const Outcome& outcome, const std::string& message) {
-  INFO(outcome.errors);
-  CHECK(outcome.exit_code == 2);
-  CHECK(contains(outcome.errors, message));
-}
 
 }  // namespace
 
@@ -154,8 +149,8 @@ TEST_CASE("run --tiles: files that are missing or damaged are one error that nam
     CHECK(outcome.errors.find("error:") == outcome.errors.rfind("error:"));
     CHECK_FALSE(std::filesystem::exists(desk / "out/run.json"));
   }
-  check_usage(desk.run("sgm8 --left left.tif --right none.tif --disparities 0:9 --tiles auto"),
-              "none.tif");
+  check_usage_error(
+      desk.run("sgm8 --left left.tif --right none.tif --disparities 0:9 --tiles auto"), "none.tif");
 }
 
 TEST_CASE("run --tiles: one that is ended at any moment leaves no file") {
@@ -191,11 +186,13 @@ TEST_CASE("run --tiles: a disk that is too small for the map is one error, befor
 TEST_CASE("run --tiles: mistakes are exit 2, before any work") {
   const Desk desk({60, 40}, 8);
   for (const char* size : {"300", "0x0", "big", "300x", "x300", "-1x300", "63x64", "1e3x1e3"}) {
-    check_usage(desk.run("tsgm8 scene --tiles=" + std::string(size)),
-                "write auto, or WIDTHxHEIGHT");
+    check_usage_error(desk.run("tsgm8 scene --tiles=" + std::string(size)),
+                      "write auto, or WIDTHxHEIGHT");
   }
-  check_usage(desk.run("tsgm8 scene --tiles auto --dump '*'"), "leave out --dump and --explain");
-  check_usage(desk.run("tsgm8 scene --tiles auto --explain 1,1"), "leave out --dump and --explain");
+  check_usage_error(desk.run("tsgm8 scene --tiles auto --dump '*'"),
+                    "leave out --dump and --explain");
+  check_usage_error(desk.run("tsgm8 scene --tiles auto --explain 1,1"),
+                    "leave out --dump and --explain");
   CHECK_FALSE(std::filesystem::exists(desk / "out/run.json"));
 }
 
@@ -218,10 +215,11 @@ TEST_CASE("run: the memory limit is kept, by tiles that fit or by a refusal") {
   const std::vector<std::string> maps = desk.maps();
   REQUIRE(desk.run("sgm8 scene").exit_code == 0);
   CHECK(desk.maps() == maps);
-  check_usage(desk.run("sgm8 scene --tiles 1400x1000" + limit), "give smaller ones");
-  check_usage(desk.run("sgm8 scene --tiles auto --memory-limit 60MB"), "raise --memory-limit");
-  check_usage(desk.run("sgm8 scene --dump '*'" + limit),
-              "match in tiles (pipeline run --tiles auto)");
+  check_usage_error(desk.run("sgm8 scene --tiles 1400x1000" + limit), "give smaller ones");
+  check_usage_error(desk.run("sgm8 scene --tiles auto --memory-limit 60MB"),
+                    "raise --memory-limit");
+  check_usage_error(desk.run("sgm8 scene --dump '*'" + limit),
+                    "match in tiles (pipeline run --tiles auto)");
 }
 
 TEST_CASE("run: images that take far more than the memory limit are matched within it") {

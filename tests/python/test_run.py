@@ -23,6 +23,13 @@ def test_every_shipped_pipeline_gives_the_bytes_of_the_command_line(name, scene,
     assert result.density > 0.3
 
 
+def test_an_empty_map_is_told(sgm8):
+    flat = np.zeros((20, 30), np.uint8)
+    result = sgm8.run(flat, flat + 1, (0, 4), mask=np.zeros((20, 30), bool))
+    assert result.density == 0
+    assert any("the map is empty" in warning for warning in result.warnings)
+
+
 def test_what_is_written_is_what_the_command_line_writes(scene, sgm8, program, tmp_path):
     scene.write(tmp_path / "scene")
     program("run", "sgm8", "scene", "--output", "theirs")

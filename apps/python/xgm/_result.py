@@ -92,7 +92,7 @@ class Result(Map):
         reverse = run.reverse_disparity()
         self.reverse = None if reverse is None else Map(reverse, run.reverse_status(),
                                                         run.reverse_confidence())
-        self.warnings: List[str] = run.warnings
+        self.warnings: List[str] = run.warnings + ([run.failure] if run.failure else [])
         self.seconds: float = run.seconds
 
     @property

@@ -51,7 +51,7 @@ class Surface:
         self.crs: str = run.crs()
         self.covered: float = run.covered
         self.seconds: float = run.seconds
-        self.warnings: List[str] = run.warnings
+        self.warnings: List[str] = run.warnings + ([run.failure] if run.failure else [])
         self.record: Dict[str, Any] = json.loads(run.record_json)
 
     def picture(self) -> bytes:

@@ -69,6 +69,11 @@ void Page::note(const std::string& text) {
   body_ += "<p class=\"note\">" + html_text(text) + "</p>\n";
 }
 
+void Page::html(const std::string& html) {
+  end_gallery();
+  body_ += html;
+}
+
 void Page::facts(const std::vector<std::pair<std::string, std::string>>& facts) {
   end_gallery();
   body_ += facts_list(facts);

@@ -19,7 +19,7 @@ class XGM_API Page {
 
   void heading(const std::string& text);
   void note(const std::string& text);
-  void html(const std::string& html) { body_ += html; }
+  void html(const std::string& html);
   /// Names and values of the most important figures.
   void facts(const std::vector<std::pair<std::string, std::string>>& facts);
   /// Texts; the first column names the row.
