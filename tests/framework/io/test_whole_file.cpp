@@ -142,3 +142,48 @@ TEST_CASE("PNM: bytes behind the pixels are refused, as what the header says is 
     CHECK(contains(refusal(folder, header), "has a broken header"));
   }
 }
+
+TEST_CASE("a file of no known format is refused, whatever decoder OpenCV may guess for it") {
+  const TemporaryFolder folder;
+  // Some build of OpenCV hands this to GDAL, one of whose drivers takes it for 300 MB of pixels.
+  const std::string guessed =
+      "//)]\x0b\xc2\x0bMA\x0b\xb8\x0b\xb8\x0b\xb2\x0b\xb8\x0bO\xb8]\x0b\xc2\x0bMAXVAL"
+      "\x0b\xb8\x0b\xb8WWWWWWW\x0b";
+  for (const std::string& bytes : {guessed, std::string("no image"), std::string("P")}) {
+    CHECK(contains(refusal(folder, bytes), "is no image that can be read"));
+  }
+}
+
+TEST_CASE("a header that states more pixels than its file can hold is refused, of every format") {
+  const TemporaryFolder folder;
+  const cv::Mat3b colour = picture();
+  cv::Mat3f floats;
+  colour.convertTo(floats, CV_32F);
+  struct Large {
+    std::string format, bytes;
+    std::size_t at;  // of the sides
+    std::string sides;  // about 1e9 pixels and more
+  };
+  const std::string jp2 = encoded(".jp2", colour), hdr = encoded(".hdr", floats),
+                    exr = encoded(".exr", floats);
+  const std::string wide("\0\0\x7f\xff\0\0\x7f\xff", 8), wide_little("\xff\x7f\0\0\xff\x7f\0\0", 8);
+  const std::vector<Large> files{
+      {"PNG", encoded(".png", colour), 16, wide},
+      {"BMP", encoded(".bmp", colour), 18, wide_little},
+      {"WebP, lossy", encoded(".webp", colour, {cv::IMWRITE_WEBP_QUALITY, 50}), 26,
+       "\xff\x3f\xff\x3f"},
+      {"WebP, lossless", encoded(".webp", colour, {cv::IMWRITE_WEBP_QUALITY, 101}), 21,
+       "\xff\xff\xff\x0f"},
+      {"JPEG 2000", jp2, jp2.find("\xff\x4f\xff\x51") + 8, wide},
+      {"JPEG 2000, alone", jp2.substr(jp2.find("\xff\x4f\xff\x51")), 8, wide},
+      {"Sun raster", encoded(".ras", colour), 4, wide},
+      {"Radiance", hdr, hdr.find("-Y "), "-Y 60000 +X 60000\n"},
+      {"EXR", exr, exr.find("dataWindow") + 29, wide_little},
+  };
+  for (const Large& file : files) {
+    CAPTURE(file.format);
+    std::string bytes = file.bytes;
+    bytes.replace(file.at, file.sides.size(), file.sides);
+    CHECK(contains(refusal(folder, bytes), "has a broken header: it speaks of "));
+  }
+}

@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "io/image_formats.hpp"
 #include "io/possible_size.hpp"
 #include "io/scratch_image.hpp"
 #include "io/stored_windows.hpp"
@@ -100,7 +101,7 @@ class PngRows {
 }  // namespace
 
 std::unique_ptr<StoredWindows> open_png(const std::string& file, const std::string& scratch) {
-  const std::string head = read_head(file, kSizeHeader);
+  const std::string head = read_head(file, kImageHead);
   require_possible_header(file, head);
   require_whole(file, head);
   PngRows rows(file);

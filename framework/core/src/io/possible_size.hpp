@@ -14,9 +14,8 @@ bool is_possible_size(std::uint64_t file_bytes, std::uint64_t image_bytes);
 /// Throws Error unless it is possible.
 void require_possible_size(const std::string& file, std::uint64_t image_bytes);
 
-/// The same, by the header of a PNG or BMP that begins with `head`. Of other files: nothing.
+/// The same, by the header of a file of any format but TIFF and PFM, which begins with `head`.
+/// Throws Error too if it is no image: what OpenCV makes of such a file is a guess.
 void require_possible_header(const std::string& file, const std::string& head);
-/// So many first bytes are needed for it; they hold sizes and depth.
-inline constexpr std::size_t kSizeHeader = 30;
 
 }  // namespace xgm

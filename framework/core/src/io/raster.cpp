@@ -4,6 +4,7 @@
 #include <cmath>
 #include <opencv2/imgcodecs.hpp>
 
+#include "io/image_formats.hpp"
 #include "io/possible_size.hpp"
 #include "io/tiff.hpp"
 #include "io/whole_file.hpp"
@@ -27,10 +28,7 @@ StoredImage decode(const std::string& file) {
   } catch (const cv::Exception&) {
     // Says only which check of OpenCV failed; the message below serves for that too.
   }
-  if (image.empty()) {
-    throw Error(file +
-                ": is no image that can be read; give a complete PNG, TIFF, JPEG, PNM or PFM");
-  }
+  if (image.empty()) throw no_image(file);
   require_bands(file, image);
   return split_bands(image);
 }
@@ -88,7 +86,7 @@ StoredImage split_bands(const cv::Mat& pixels) {
 }
 
 StoredImage read_stored(const std::string& file) {
-  const std::string head = read_head(file, kSizeHeader);
+  const std::string head = read_head(file, kImageHead);
   if (head.starts_with("Pf") || head.starts_with("PF")) {
     const std::vector<cv::Mat1f> planes = read_pfm_planes(file);
     return {.channels = {planes.begin(), planes.end()}};

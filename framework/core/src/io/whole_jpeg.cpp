@@ -39,6 +39,21 @@ void stop_at_warning(j_common_ptr jpeg, int level) {
   if (level == kWarning && !is_harmless(jpeg->err->msg_code)) stop(jpeg);
 }
 
+/// Those that libjpeg takes memory for: whole blocks, as many as its sampling factors ask for.
+std::uint64_t coefficients(const jpeg_decompress_struct& jpeg) {
+  const auto rounded = [](JDIMENSION blocks, int step) {
+    const auto unit = static_cast<std::uint64_t>(step);
+    return (blocks + unit - 1) / unit * unit;
+  };
+  std::uint64_t blocks = 0;
+  for (int i = 0; i < jpeg.num_components; ++i) {
+    const jpeg_component_info& part = jpeg.comp_info[i];
+    blocks += rounded(part.width_in_blocks, part.h_samp_factor) *
+              rounded(part.height_in_blocks, part.v_samp_factor);
+  }
+  return blocks * DCTSIZE2;
+}
+
 /// What is wrong with the data, in libjpeg's words; empty if nothing is. Holds no object with a
 /// destructor, as libjpeg leaves it by longjmp.
 void look_for_fault(const std::string& bytes, Fault& fault) {
@@ -50,9 +65,7 @@ void look_for_fault(const std::string& bytes, Fault& fault) {
     jpeg_create_decompress(&jpeg);
     jpeg_mem_src(&jpeg, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
     jpeg_read_header(&jpeg, TRUE);
-    const std::uint64_t coefficients = std::uint64_t{jpeg.image_width} * jpeg.image_height *
-                                       static_cast<std::uint64_t>(jpeg.num_components);
-    if (is_possible_size(bytes.size(), coefficients * sizeof(JCOEF))) {
+    if (is_possible_size(bytes.size(), coefficients(jpeg) * sizeof(JCOEF))) {
       jpeg_read_coefficients(&jpeg);
       jpeg_finish_decompress(&jpeg);
     } else {

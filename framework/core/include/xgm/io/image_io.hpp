@@ -39,7 +39,7 @@ struct ReadPair {
   std::vector<std::string> warnings;  ///< what is doubtful in the files
 };
 
-/// Reads all formats of OpenCV (PNG, JPEG, TIFF, PGM, PPM, BMP, ...) and PFM. Both images are
+/// Reads PNG, JPEG, TIFF, PNM, BMP, WebP, JPEG 2000, Sun raster, Radiance, EXR and PFM. Both images are
 /// scaled in the same way:
 /// - 8 bit: unchanged.
 /// - 16 bit: 65535 becomes 255. If all values of both images are below 4096, they are taken as
