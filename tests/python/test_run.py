@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Arrays in, maps out: the same as the command line's, for every type of image."""
+import re
+
 import numpy as np
 import pytest
 
@@ -166,3 +168,35 @@ def test_tiles_and_memory_limit(scene, sgm8):
     assert result.density > 0.3
     with pytest.raises(xgm.UsageError, match="allows"):
         sgm8.run(scene.left, scene.right, scene.disparities, memory_limit=1e6)
+
+
+def test_range_maps_are_arrays_or_files(grey_scene, sgm8, tmp_path):
+    left, right = grey_scene.left, grey_scene.right
+    smallest = np.full((120, 160), 2.0, np.float32)
+    largest = smallest + np.arange(160, dtype=np.float32) % 7
+    smallest[50:60, 20:40] = np.nan
+    xgm.write_pfm(tmp_path / "min.pfm", smallest)
+    xgm.write_pfm(tmp_path / "max.pfm", largest)
+    of_files = sgm8.run(left, right, range_maps=(tmp_path / "min.pfm", tmp_path / "max.pfm"))
+    of_arrays = sgm8.run(left, right, range_maps=(smallest, largest.astype(np.float64)))
+    assert same(of_arrays.disparity, of_files.disparity)
+    assert same(of_arrays.status, of_files.status)
+    assert of_arrays.record["disparities"]["from"] == "range maps"
+    within = of_arrays.is_status("valid")
+    assert (of_arrays.disparity[within] >= smallest[within] - 0.5).all()
+    assert (of_arrays.disparity[within] <= largest[within] + 0.5).all()
+    masked = np.ma.masked_array(np.nan_to_num(smallest), mask=np.isnan(smallest))
+    assert same(sgm8.run(left, right, range_maps=(masked, largest)).disparity, of_files.disparity)
+
+
+@pytest.mark.parametrize("maps, words", [
+    ((np.zeros((120, 160)),), "two arrays or two files"),
+    ((np.zeros((120, 160)), "max.pfm"), "one is a file"),
+    ((np.zeros((120, 160)), np.ones((119, 160))), "range_maps[1]: is 160 x 119"),
+    ((np.zeros((20, 30)), np.ones((20, 30))), "are 160 x 120"),
+    ((np.ones((120, 160)), np.zeros((120, 160))), "is the smallest given first?"),
+    ((np.zeros(160), np.ones(160)), "range_maps[0]: has shape (160)"),
+])
+def test_range_maps_that_cannot_be_are_said(grey_scene, sgm8, maps, words):
+    with pytest.raises(xgm.Error, match=re.escape(words)):
+        sgm8.run(grey_scene.left, grey_scene.right, range_maps=maps)

@@ -14,14 +14,8 @@
 namespace xgm::python {
 namespace {
 
-void take_mask(UnscaledImage& raster, const std::optional<py::array>& usable) {
-  const cv::Mat1b mask = to_mask(usable);
-  if (mask.empty()) return;
-  if (mask.size() != raster.size()) {
-    throw UsageError(raster.file + ": image and mask differ in size; give a mask of the image's");
-  }
-  const cv::Mat1b valid(mask != 0);
-  raster.valid = raster.valid.empty() ? valid : cv::Mat1b(raster.valid & valid);
+DisparityRange to_ranges(const py::array& min, const py::array& max) {
+  return range_of_maps({to_map(min), "range_maps[0]"}, {to_map(max), "range_maps[1]"});
 }
 
 Request of_arrays(const ArrayImage& left, const ArrayImage& right, bool is_rgb,
@@ -73,7 +67,7 @@ std::vector<py::object> planes_of(const Request& request) {
 UnscaledImage to_unscaled(const std::string& name, const ArrayImage& image, bool is_rgb) {
   UnscaledImage raster = xgm::to_unscaled(name, to_matrix(image.pixels));
   if (is_rgb && raster.planes.size() == 3) std::swap(raster.planes[0], raster.planes[2]);
-  take_mask(raster, image.usable);
+  if (image.usable) apply_mask(raster, to_mask(image.usable));
   return raster;
 }
 
@@ -104,6 +98,10 @@ void bind_requests(py::module_& module) {
       .def("search_maps",
            [](Request& request, const std::string& min, const std::string& max) {
              request.scene.range_maps = RangeMapFiles{.min = min, .max = max};
+           })
+      .def("search_ranges",
+           [](Request& request, const py::array& min, const py::array& max) {
+             request.scene.ranges = to_ranges(min, max);
            })
       .def("limit_memory",
            [](Request& request, double bytes) { request.scene.memory_limit = bytes; })

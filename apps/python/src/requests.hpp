@@ -19,7 +19,7 @@ namespace py = pybind11;
 /// An image as the package hands it over.
 struct ArrayImage {
   py::array pixels;
-  std::optional<py::array> usable;  ///< uint8 or bool: not 0 where a pixel may be used
+  std::optional<py::array> usable;  ///< of its size, uint8 or bool: not 0 where it may be used
 };
 
 /// `is_rgb`: whether the first of three channels is red, not blue.

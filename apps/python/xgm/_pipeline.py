@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import json
 import os
-from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Tuple, Union
 
 from . import _native
 from ._arrays import PathLike, is_path, to_image, to_map, to_range, to_threads, to_tiles
@@ -79,7 +79,7 @@ class Pipeline:
         scene: Optional[PathLike] = None,
         scene_name: str = "",
         dataset: str = "",
-        range_maps: Optional[Tuple[PathLike, PathLike]] = None,
+        range_maps: Optional[Tuple[Any, Any]] = None,
         output: Optional[PathLike] = None,
         report: bool = False,
         dump: str = "",
@@ -106,6 +106,8 @@ class Pipeline:
         truth: true disparities, an array or a file; the record then has the errors of the map.
         scene: the folder of a scene instead of images; `scene_name` and `dataset` as for the
             command line.
+        range_maps: (smallest, largest) disparity to search at each pixel of the left image, px:
+            two arrays of its shape, NaN where nothing is to be searched, or two files.
         output: a folder for the files of `pipeline run`; report, dump, cloud, depth: which of them.
         tiles: True, or (width, height): match in parts, with the memory of one part.
         threads: 0 for all processors. The map does not depend on it.
@@ -213,9 +215,23 @@ def _file_request(left: Any, right: Any, mask: Any, truth: Any, divisor: Optiona
                                     _name(truth), divisor)
 
 
+def _search(request: Any, range_maps: Any) -> None:
+    """Has the disparities between two maps searched."""
+    if not isinstance(range_maps, (tuple, list)) or len(range_maps) != 2:
+        raise UsageError("range_maps: give (smallest, largest), two arrays or two files")
+    if all(map(is_path, range_maps)):
+        request.search_maps(*map(os.fspath, range_maps))
+    elif any(map(is_path, range_maps)):
+        raise UsageError("range_maps: one is a file and one is not; read the file "
+                         "(xgm.read_disparities), or write the array")
+    else:
+        request.search_ranges(*(to_map(f"range_maps[{i}]", values)
+                                for i, values in enumerate(range_maps)))
+
+
 def make_request(left: Any, right: Any, disparities: Any, mask: Any, channels: str, truth: Any,
                  truth_divisor: Optional[float], scene: Optional[PathLike], scene_name: str,
-                 dataset: str, range_maps: Optional[Sequence[PathLike]],
+                 dataset: str, range_maps: Any,
                  memory_limit: Optional[float]) -> Any:
     """A _native.Request of the arguments of run()."""
     if (left is None) != (right is None):
@@ -235,8 +251,7 @@ def make_request(left: Any, right: Any, disparities: Any, mask: Any, channels: s
     if disparities is not None:
         request.search(to_range(disparities))
     if range_maps is not None:
-        smallest, largest = range_maps
-        request.search_maps(os.fspath(smallest), os.fspath(largest))
+        _search(request, range_maps)
     if memory_limit is not None:
         request.limit_memory(memory_limit)
     return request

@@ -88,7 +88,7 @@ TEST_CASE("range maps of different size, without any range, or with nonsense are
     return error_of([&] { read_range_maps(folder / low, folder / high); });
   };
   CHECK(contains(message("a.pfm", "b.pfm"), "b.pfm: is 2 x 2 pixels"));
-  CHECK(contains(message("a.pfm", "low.pfm"), "is the order min.pfm,max.pfm?"));
+  CHECK(contains(message("a.pfm", "low.pfm"), "is the smallest given first?"));
   CHECK(contains(message("a.pfm", "huge.pfm"), "leaves no disparity"));
 }
 

@@ -63,11 +63,6 @@ void require_mask_of(const Stored& image, const std::string& mask, cv::Size size
               size_text(image.size) + "; a mask has the size of its image");
 }
 
-void apply_mask(UnscaledImage& raster, const cv::Mat1b& mask) {
-  const cv::Mat1b valid(mask != 0);
-  raster.valid = raster.valid.empty() ? valid : cv::Mat1b(raster.valid & valid);
-}
-
 Image to_image(UnscaledImage raster, const Scaling& scaling) {
   Image image;
   const bool is_scaled = scaling.gain != 1 || scaling.offset != 0;

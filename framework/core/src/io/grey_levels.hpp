@@ -39,8 +39,6 @@ struct Stored {
 void require_same(const Stored& left, const Stored& right);
 void require_mask_of(const Stored& image, const std::string& mask, cv::Size size);
 
-void apply_mask(UnscaledImage& raster, const cv::Mat1b& mask);
-
 /// Uses the raster up: planes that nobody shares are scaled in place, no second copy is held.
 Image to_image(UnscaledImage raster, const Scaling& scaling);
 

@@ -25,6 +25,11 @@ void apply_mask(UnscaledImage& raster, const std::string& file,
 
 }  // namespace
 
+void apply_mask(UnscaledImage& image, const cv::Mat1b& usable) {
+  const cv::Mat1b valid(usable != 0);
+  image.valid = image.valid.empty() ? valid : cv::Mat1b(image.valid & valid);
+}
+
 ReadPair read_pair(const PairFiles& files) {
   UnscaledImage left = read_raster(files.left, files.no_data);
   UnscaledImage right = read_raster(files.right, files.no_data);

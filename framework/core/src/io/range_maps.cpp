@@ -12,7 +12,9 @@ namespace xgm {
 namespace {
 
 Interval interval_of(float low, float high) {
-  if (!std::isfinite(low) || !std::isfinite(high) || low > high) return {};
+  constexpr float kMaxDisparity = 1 << 20;  // no image is wider
+  if (!(low <= high && std::abs(low) <= kMaxDisparity && std::abs(high) <= kMaxDisparity))
+    return {};
   return {static_cast<int>(std::floor(low)), static_cast<int>(std::ceil(high)) + 1};
 }
 
@@ -33,17 +35,22 @@ Noted<DisparityRange> read_range_maps(const std::string& min_file, const std::st
   std::vector<std::string> warnings;
   const cv::Mat1f low = take(read_range_map(min_file, no_data), warnings);
   const cv::Mat1f high = take(read_range_map(max_file, no_data), warnings);
+  return {range_of_maps({low, min_file}, {high, max_file}), std::move(warnings)};
+}
+
+DisparityRange range_of_maps(const NamedMap& min, const NamedMap& max) {
+  const cv::Mat1f &low = min.map, &high = max.map;
   if (low.size() != high.size()) {
-    throw Error(max_file + ": is " + size_text(high.size()) + " pixels but " + min_file + " is " +
+    throw Error(max.name + ": is " + size_text(high.size()) + " pixels but " + min.name + " is " +
                 size_text(low.size()) + "; both maps must have the size of the left image");
   }
-  auto range = DisparityRange::of_pixels(
+  DisparityRange range = DisparityRange::of_pixels(
       low.size(), [&](int y, int x) { return interval_of(low(y, x), high(y, x)); });
   if (range.hull().empty()) {
-    throw Error(min_file + ": with " + max_file +
-                " leaves no disparity at any pixel; is the order min.pfm,max.pfm?");
+    throw Error(min.name + ": with " + max.name +
+                " leaves no disparity at any pixel; is the smallest given first?");
   }
-  return {std::move(range), std::move(warnings)};
+  return range;
 }
 
 }  // namespace xgm

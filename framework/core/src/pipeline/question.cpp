@@ -55,6 +55,18 @@ void add_differences(const Json& a, const Json& b, const std::string& path,
   }
 }
 
+std::string hash_of(const DisparityRange& ranges) {
+  std::string bytes;
+  bytes.reserve(ranges.bytes());
+  for (int y = 0; y < ranges.size().height; ++y) {
+    for (int x = 0; x < ranges.size().width; ++x) {
+      const Interval at = ranges.at(y, x);
+      bytes.append(reinterpret_cast<const char*>(&at), sizeof at);
+    }
+  }
+  return std::to_string(fnv1a64(bytes));
+}
+
 }  // namespace
 
 Json question_of(const Pipeline& pipeline, const SceneRequest& request, const SceneInputs& inputs,
@@ -71,6 +83,7 @@ Json question_of(const Pipeline& pipeline, const SceneRequest& request, const Sc
     question["no data of the images"] = Json(files->images.no_data);
   }
   if (request.range_maps) question["no data of the range maps"] = Json(request.range_maps->no_data);
+  if (request.ranges) question["range maps"] = hash_of(*request.ranges);
   const Interval searched = inputs.range.hull();
   question["disparities"] = Json(std::vector<int>{searched.begin, searched.end - 1});
   return question;

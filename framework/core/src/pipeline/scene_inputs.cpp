@@ -57,13 +57,18 @@ void require_truth_size(const GroundTruth& truth, cv::Size size) {
   }
 }
 
-void require_range_maps(const RangeMapFiles& files, const Pipeline& pipeline) {
+void require_range_maps(const SceneRequest& request, const Pipeline& pipeline) {
+  if (!request.range_maps && !request.ranges) return;
   if (!pipeline.accepts_range_maps()) {
     throw UsageError(
-        "--range-maps: this pipeline's matcher needs one range for the whole image; "
-        "use --disparities MIN:MAX or another pipeline");
+        "range maps: this pipeline's matcher needs one range for the whole image; "
+        "give one range of disparities, or another pipeline");
   }
-  for (const std::string& file : {files.min, files.max}) {
+  if (request.range_maps && request.ranges) {
+    throw UsageError("range maps are given as files and in memory; give them in one way");
+  }
+  if (!request.range_maps) return;
+  for (const std::string& file : {request.range_maps->min, request.range_maps->max}) {
     require_file(file, "--range-maps: ", "check the path");
   }
 }
@@ -81,7 +86,7 @@ std::optional<Search> search_of(const Scene& scene) {
 }
 
 Search search_of(const SceneRequest& request, const Pipeline& pipeline) {
-  if (request.range_maps) return {{}, "range maps"};
+  if (request.range_maps || request.ranges) return {{}, "range maps"};
   if (request.disparities) return {*request.disparities, request.disparities_from};
   const auto of_scene =
       std::visit([](const auto& scene) { return search_of(scene); }, request.scene);
@@ -102,20 +107,25 @@ std::string text_of(Interval interval) {
   return std::to_string(interval.begin) + " to " + std::to_string(interval.end - 1);
 }
 
+DisparityRange require_size(DisparityRange range, const std::string& name, cv::Size size) {
+  if (range.size() == size) return range;
+  throw Error(name + ": is " + std::to_string(range.size().width) + " x " +
+              std::to_string(range.size().height) + " pixels but the images are " +
+              std::to_string(size.width) + " x " + std::to_string(size.height) +
+              "; range maps have the size of the left image");
+}
+
 DisparityRange read_range(const RangeMapFiles& files, Scene& scene) {
-  const cv::Size size = scene.size();
-  DisparityRange range = take(read_range_maps(files.min, files.max, files.no_data), scene.warnings);
-  if (range.size() != size) {
-    throw Error(files.min + ": is " + std::to_string(range.size().width) + " x " +
-                std::to_string(range.size().height) + " pixels but the images are " +
-                std::to_string(size.width) + " x " + std::to_string(size.height) +
-                "; range maps have the size of the left image");
-  }
+  DisparityRange range =
+      require_size(take(read_range_maps(files.min, files.max, files.no_data), scene.warnings),
+                   files.min, scene.size());
   add_to(scene.inputs, identify_files(files_of(files)));
   return range;
 }
 
-DisparityRange make_range(const Search& search, Scene& scene) {
+DisparityRange make_range(const SceneRequest& request, const Search& search, Scene& scene) {
+  if (request.range_maps) return read_range(*request.range_maps, scene);
+  if (request.ranges) return require_size(*request.ranges, "range maps", scene.size());
   const cv::Size size = scene.size();
   const Interval wanted = search.interval;
   const Interval possible = clip_to_width(wanted, size.width);
@@ -153,7 +163,8 @@ void check_calibration(const SceneFiles& files, const SceneRequest& request, Sce
   const std::string fault = fault_of(files, files.calibration_file);
   if (!fault.empty()) warnings.push_back(unused + fault);
   const cv::Size size = scene.size();
-  if (!request.range_maps && !request.disparities) require_disparities_of_size(files, size);
+  const bool is_scenes_own = !request.range_maps && !request.ranges && !request.disparities;
+  if (is_scenes_own) require_disparities_of_size(files, size);
   try {
     require_calibrated_size(files, size);
   } catch (const Error& error) {
@@ -222,7 +233,7 @@ void check_scene(const SceneRequest& request, const Pipeline& pipeline) {
     require_truth_size(scene.truth, scene.pair.size());
   }
   if (request.truth) require_truth_files(*request.truth);
-  if (request.range_maps) require_range_maps(*request.range_maps, pipeline);
+  require_range_maps(request, pipeline);
   search_of(request, pipeline);
 }
 
@@ -235,8 +246,7 @@ SceneInputs read_scene(const SceneRequest& request, const Pipeline& pipeline) {
   std::vector<std::string> warnings;
   check_images(scene, warnings);
   if (files != nullptr) check_calibration(*files, request, scene, warnings);
-  DisparityRange range =
-      request.range_maps ? read_range(*request.range_maps, scene) : make_range(search, scene);
+  DisparityRange range = make_range(request, search, scene);
   warnings.insert(warnings.begin(), scene.warnings.begin(), scene.warnings.end());
   SceneInputs inputs{std::move(scene), std::move(range), search.from, request.memory_limit,
                      std::move(warnings)};

@@ -39,17 +39,15 @@ struct ReadPair {
   std::vector<std::string> warnings;  ///< what is doubtful in the files
 };
 
-/// Reads PNG, JPEG, TIFF, PNM, BMP, WebP, JPEG 2000, Sun raster, Radiance, EXR and PFM. Both images are
-/// scaled in the same way:
+/// Reads PNG, JPEG, TIFF, PNM, BMP, WebP, JPEG 2000, Sun raster, Radiance, EXR and PFM. Both
+/// images are scaled in the same way:
 /// - 8 bit: unchanged.
-/// - 16 bit: 65535 becomes 255. If all values of both images are below 4096, they are taken as
-/// sensor
-///   data of 8 to 12 bits in a 16-bit file: 2^bits - 1 becomes 255, where the largest value
+/// - 16 bit: 65535 becomes 255. If all values of both images are below 4096, they are data of a
+///   sensor of 8 to 12 bits in a 16-bit file: 2^bits - 1 becomes 255, where the largest value
 ///   determines the number of bits.
-/// - other (float, double, signed): values within [0, 1] are multiplied by 255; values within [0,
-/// 255]
-///   are unchanged; otherwise the smallest becomes 0 and the largest 255. NaN and infinite pixels
-///   have no data.
+/// - other (float, double, signed): values within [0, 1] are multiplied by 255; values from 0 to
+///   255 are unchanged; otherwise the smallest becomes 0 and the largest 255. NaN and infinite
+///   pixels have no data.
 /// Pixels without data (masked, not finite, or with a value that means no data:
 /// docs/conventions.md) do not influence the scale; their value is 0. Alpha 0 masks a pixel, unless
 /// alpha is 0 everywhere. If only one image is in colour, both become grey; palettes are resolved.
@@ -62,6 +60,9 @@ XGM_API ReadPair read_pair(const PairFiles& files);
 /// alpha. A float image of one channel is shared, not copied. A pixel has no data where alpha is 0,
 /// unless it is so everywhere, or where a value is not finite. Throws Error.
 XGM_API UnscaledImage to_unscaled(std::string name, cv::InputArray image);
+
+/// Masks the pixels where `usable`, of the image's size, is 0.
+XGM_API void apply_mask(UnscaledImage& image, const cv::Mat1b& usable);
 
 /// What read_pair() makes of two files, of images in memory. Shared planes that need no change are
 /// used as they are. Throws Error if the images differ in size or depth.

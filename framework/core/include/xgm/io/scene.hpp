@@ -106,6 +106,15 @@ XGM_API Noted<DisparityRange> read_range_maps(const std::string& min_file,
                                               const std::string& max_file,
                                               const std::vector<double>& no_data = {});
 
+/// A map, and how it is called in messages.
+struct NamedMap {
+  cv::Mat1f map;
+  std::string name;
+};
+
+/// The same ranges from maps in memory; NaN gives none. Throws Error.
+XGM_API DisparityRange range_of_maps(const NamedMap& min, const NamedMap& max);
+
 /// The part of `interval` that is possible in an image `width` pixels wide: |d| < width.
 XGM_API Interval clip_to_width(Interval interval, int width);
 

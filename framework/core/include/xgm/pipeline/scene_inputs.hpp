@@ -30,6 +30,7 @@ struct SceneRequest {
   std::optional<Interval> disparities{};
   std::string disparities_from = "caller";    ///< where `disparities` come from, for the record
   std::optional<RangeMapFiles> range_maps{};  ///< searched instead of any interval
+  std::optional<DisparityRange> ranges{};     ///< the same in memory: range_of_maps()
   std::optional<TruthFiles> truth{};          ///< instead of the scene's own
   std::optional<double> memory_limit{};       ///< bytes that the process may take
   /// If set, images in files are read by windows (Scene::windows), with temporary files in this
@@ -52,7 +53,8 @@ struct SceneInputs {
 XGM_API std::vector<NamedFile> files_of(const SceneRequest& request);
 
 /// What can be checked before an image is opened. Throws UsageError: a file that is missing, images
-/// in memory that are no pair, no disparities, range maps that the pipeline cannot take.
+/// in memory that are no pair, no disparities, range maps that the pipeline cannot take,
+/// or that are given as files and in memory.
 XGM_API void check_scene(const SceneRequest& request, const Pipeline& pipeline);
 
 /// Checks, and reads the images, range maps and truth. A faulty truth that comes with the scene is
