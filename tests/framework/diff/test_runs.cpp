@@ -101,6 +101,30 @@ TEST_CASE("diff of runs: what one run lacks is a difference, what both lack is a
   CHECK(one_record.configuration.empty());
 }
 
+TEST_CASE("diff of runs: confidences are compared where anything counts, and may be missing") {
+  const Runs runs;
+  cv::Mat1f confidence(4, 8, 0.5f);
+  for (const char* run : {"a", "b"}) {
+    runs.map(run, {8, 4}, 3);
+    runs.write(std::string(run) + "/run.json", record(4, "11"));
+  }
+  CHECK(runs.diff().same());  // without any
+  write_pfm(runs / "a/confidence.pfm", confidence);
+  CHECK(has(runs.diff().files, "confidence.pfm", "is there", kNoFigure));
+  write_pfm(runs / "b/confidence.pfm", confidence);
+  CHECK(runs.diff().same());
+  confidence(2, 5) = 0.25f;
+  write_pfm(runs / "b/confidence.pfm", confidence);
+  const RunDiff diff = runs.diff();
+  CHECK_FALSE(diff.same());
+  REQUIRE(diff.confidence);
+  CHECK(diff.confidence->moved == 1);
+  CHECK(diff.confidence->largest == doctest::Approx(0.25));
+  CHECK(
+      contains(diff_text(diff), "confidence:\n  differing: 1 px (3.125 %), in x 5 to 5, y 2 to 2"));
+  CHECK(compare_runs(runs / "a", runs / "b", 0.5).same());
+}
+
 TEST_CASE("diff of runs: maps of two sizes differ, without a count of pixels") {
   const Runs runs;
   runs.map("a", {8, 4}, 3);

@@ -27,10 +27,21 @@ std::string place_text(const cv::Rect& place) {
          std::to_string(place.y) + " to " + std::to_string(place.br().y - 1);
 }
 
+void add_counts(const std::string& title, const MapDifference& map, std::string& text) {
+  text += title + ":\n  differing: " + share(map.differing(), map.pixels) + ", in " +
+          place_text(map.box) + "\n";
+}
+
+void add_confidence(const MapDifference& confidence, std::string& text) {
+  if (confidence.differing() == 0) return;
+  add_counts("confidence", confidence, text);
+  text += "  of pixels with both: mean difference " + fixed_number(confidence.mean, 6) +
+          ", largest " + fixed_number(confidence.largest, 4) + "\n";
+}
+
 void add_map(const MapDifference& map, std::string& text) {
   if (map.differing() == 0) return;
-  text += "map:\n  differing: " + share(map.differing(), map.pixels) + ", in " +
-          place_text(map.box) + "\n";
+  add_counts("map", map, text);
   text += "  moved: " + share(map.moved, map.pixels) +
           ", only in the first: " + share(map.only_first, map.pixels) +
           ", only in the second: " + share(map.only_second, map.pixels) + "\n";
@@ -53,6 +64,7 @@ std::string diff_text(const RunDiff& diff) {
   add_part("inputs", diff.inputs, text);
   add_part("map", diff.map_size, text);
   if (diff.map) add_map(*diff.map, text);
+  if (diff.confidence) add_confidence(*diff.confidence, text);
   for (const std::string& note : diff.notes) text += "note: " + note + "\n";
   if (!diff.same()) add_part("figures, which count for nothing", diff.figures, text);
   return text + (diff.same() ? "the runs are the same\n" : "the runs differ\n");

@@ -26,7 +26,8 @@ struct DifferentPlace {
   double largest = 0;       ///< difference of two disparities, px
 };
 
-/// Two maps of one size. A pixel differs if it is moved, or has a disparity in one map only.
+/// Two maps of one size, of disparities in px or of confidences. A pixel differs if it is moved, or
+/// has a disparity in one map only.
 struct MapDifference {
   std::int64_t pixels = 0;       ///< of each map
   std::int64_t moved = 0;        ///< their disparities differ by more than the threshold
@@ -50,20 +51,22 @@ XGM_API cv::Mat3b difference_picture(const cv::Mat1f& first, const cv::Mat1f& se
                                      double threshold);
 
 struct XGM_API RunDiff {
-  std::vector<Difference> files;          ///< what a comparison needs and one run lacks
-  std::vector<Difference> configuration;  ///< parameters, and the disparities searched
-  std::vector<Difference> program;        ///< versions
-  std::vector<Difference> inputs;         ///< by content, whatever the files are called
-  std::vector<Difference> map_size;       ///< if the sizes of the maps differ
-  std::optional<MapDifference> map{};     ///< if both runs have maps of one size
-  std::vector<Difference> figures;        ///< time, memory and the like; these count for nothing
-  std::vector<std::string> notes;         ///< what neither run has
+  std::vector<Difference> files;              ///< what a comparison needs and one run lacks
+  std::vector<Difference> configuration;      ///< parameters, and the disparities searched
+  std::vector<Difference> program;            ///< versions
+  std::vector<Difference> inputs;             ///< by content, whatever the files are called
+  std::vector<Difference> map_size;           ///< if the sizes of the maps differ
+  std::optional<MapDifference> map{};         ///< if both runs have maps of one size
+  std::optional<MapDifference> confidence{};  ///< if both have some, and anything counts
+  std::vector<Difference> figures;  ///< time, memory and the like; these count for nothing
+  std::vector<std::string> notes;   ///< what neither run has
 
   bool same() const;
 };
 
 /// Compares the output folders of two runs. A disparity is moved if it differs by more than
-/// `threshold` px. Throws Error if a folder holds no run, or a file of it is damaged.
+/// `threshold` px; confidences, whose values are no disparities, are compared if that is 0. Throws
+/// Error if a folder holds no run, or a file of it is damaged.
 XGM_API RunDiff compare_runs(const std::string& first, const std::string& second, double threshold);
 
 /// The map of a run, to make a picture of; empty if there is none.
