@@ -191,6 +191,7 @@ TEST_CASE("runs that are cancelled do not disturb one that is not, and leave no 
   CHECK(right);
   CHECK(job.right(job.run()));
 #ifndef XGM_SANITIZED
+  trim_heap();  // what the threads' arenas keep for later is no leak
   CHECK(resident_memory() < before + (std::uint64_t{8} << 20));
 #else
   static_cast<void>(before);
