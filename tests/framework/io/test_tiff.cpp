@@ -3,7 +3,7 @@
 
 #include <opencv2/imgcodecs.hpp>
 
-#include "io/raster.hpp"
+#include "io/unscaled_image.hpp"
 #include "support/support.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/tiff_file.hpp"
@@ -39,7 +39,7 @@ bool equal(const cv::Mat1f& plane, const cv::Mat& band) {
 
 /// Which pixels of a one-band file have data: 'x', the others '.'.
 std::string valid_pixels(const std::string& file, const std::vector<double>& no_data = {}) {
-  const UnscaledImage raster = read_raster(file, no_data);
+  const UnscaledImage raster = read_unscaled(file, no_data);
   std::string text;
   for (int x = 0; x < raster.size().width; ++x) text += raster.is_valid(0, x) ? 'x' : '.';
   return text;
@@ -62,7 +62,7 @@ TEST_CASE(
                    {.bands_apart = (style & 1) != 0,
                     .tiled = (style & 2) != 0,
                     .compressed = (style & 4) != 0});
-        const UnscaledImage raster = read_raster(file);
+        const UnscaledImage raster = read_unscaled(file);
         CHECK(raster.depth == depth);
         CHECK(raster.valid.empty());
         REQUIRE(raster.planes.size() == bands.size());
@@ -80,7 +80,7 @@ TEST_CASE("tiff: what OpenCV reads rightly is read alike, orientations included"
   for (int orientation = 1; orientation <= 8; ++orientation) {
     CAPTURE(orientation);
     write_tiff(file, bands_of(CV_16U, 1), {.orientation = orientation});
-    const UnscaledImage raster = read_raster(file);
+    const UnscaledImage raster = read_unscaled(file);
     CHECK(raster.depth == CV_16U);
     CHECK(equal(raster.planes.front(), cv::imread(file, cv::IMREAD_UNCHANGED)));
   }
@@ -96,7 +96,7 @@ TEST_CASE("tiff: the last of two or four bands is alpha, unless the file says th
         bands.back().at<uchar>(0, 0) = 1;
         bands.back().row(3).setTo(0);
         write_tiff(file, bands, {.has_alpha = has_alpha});
-        const UnscaledImage raster = read_raster(file);
+        const UnscaledImage raster = read_unscaled(file);
         CHECK(raster.planes.size() == static_cast<std::size_t>(count - 1));
         CHECK(raster.is_valid(2, 5));
         CHECK(raster.is_valid(3, 5) != has_alpha);
@@ -152,14 +152,14 @@ TEST_CASE("tiff: a tag that is no number, or speaks of other samples, is an erro
   for (const char* tag : {"none", "-9999,0", "1 2", " "}) {
     CAPTURE(tag);
     write_tiff(file, bands_of(CV_32F, 1), {.no_data = tag});
-    const std::string error = error_of([&] { read_raster(file); });
+    const std::string error = error_of([&] { read_unscaled(file); });
     CHECK(contains(error, file + ": its tag GDAL_NODATA says '"));
     CHECK(contains(error, "gdal_edit.py"));
   }
   write_tiff(file, bands_of(CV_8U, 1), {.no_data = "0", .white_is_zero = true});
-  CHECK(contains(error_of([&] { read_raster(file); }), "convert it to grey or RGB"));
+  CHECK(contains(error_of([&] { read_unscaled(file); }), "convert it to grey or RGB"));
   write_tiff(file, bands_of(CV_8U, 1), {.white_is_zero = true});
-  CHECK(read_raster(file).planes.front()(0, 0) == 255);
+  CHECK(read_unscaled(file).planes.front()(0, 0) == 255);
   write_tiff(file, bands_of(CV_8U, 5));
-  CHECK(contains(error_of([&] { read_raster(file); }), "has 5 channels"));
+  CHECK(contains(error_of([&] { read_unscaled(file); }), "has 5 channels"));
 }

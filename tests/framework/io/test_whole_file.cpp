@@ -4,7 +4,7 @@
 
 #include <opencv2/imgcodecs.hpp>
 
-#include "io/raster.hpp"
+#include "io/unscaled_image.hpp"
 #include "support/support.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/tiff_file.hpp"
@@ -44,7 +44,7 @@ std::string encoded(const std::string& ending, const cv::Mat& image,
 std::string refusal(const TemporaryFolder& folder, const std::string& bytes,
                     const std::string& name = "image") {
   const std::string file = folder.write(name, bytes);
-  const std::string message = error_of([&] { read_raster(file); });
+  const std::string message = error_of([&] { read_unscaled(file); });
   if (!message.empty()) CHECK(contains(message, file + ": "));
   return message;
 }
@@ -161,7 +161,7 @@ TEST_CASE("a header that states more pixels than its file can hold is refused, o
   colour.convertTo(floats, CV_32F);
   struct Large {
     std::string format, bytes;
-    std::size_t at;  // of the sides
+    std::size_t at;     // of the sides
     std::string sides;  // about 1e9 pixels and more
   };
   const std::string jp2 = encoded(".jp2", colour), hdr = encoded(".hdr", floats),

@@ -4,7 +4,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "io/raster.hpp"
+#include "io/unscaled_image.hpp"
 #include "xgm/io/image_io.hpp"
 
 namespace xgm {

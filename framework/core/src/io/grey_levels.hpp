@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-#include "io/raster.hpp"
+#include "io/unscaled_image.hpp"
 #include "xgm/data/image.hpp"
 
 namespace xgm {

@@ -5,7 +5,7 @@
 
 #include "io/grey_levels.hpp"
 #include "io/marks.hpp"
-#include "io/raster.hpp"
+#include "io/unscaled_image.hpp"
 #include "io/warnings.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/io/file.hpp"
@@ -31,8 +31,8 @@ void apply_mask(UnscaledImage& image, const cv::Mat1b& usable) {
 }
 
 ReadPair read_pair(const PairFiles& files) {
-  UnscaledImage left = read_raster(files.left, files.no_data);
-  UnscaledImage right = read_raster(files.right, files.no_data);
+  UnscaledImage left = read_unscaled(files.left, files.no_data);
+  UnscaledImage right = read_unscaled(files.right, files.no_data);
   require_same(stored(left), stored(right));
   std::vector<std::string> warnings;
   apply_mask(left, files.left_mask, warnings);

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "io/raster.hpp"
+#include "io/unscaled_image.hpp"
 
 namespace xgm {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "io/raster.hpp"
+#include "io/unscaled_image.hpp"
 #include "xgm/io/image_io.hpp"
 
 namespace xgm {

@@ -8,7 +8,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <vector>
 
-#include "io/raster.hpp"
+#include "io/unscaled_image.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/io/file.hpp"
 #include "xgm/io/ply.hpp"

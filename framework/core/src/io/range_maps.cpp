@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "io/disparities.hpp"
-#include "io/raster.hpp"
+#include "io/unscaled_image.hpp"
 #include "io/warnings.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/io/scene.hpp"
@@ -19,7 +19,7 @@ Interval interval_of(float low, float high) {
 }
 
 Noted<cv::Mat1f> read_range_map(const std::string& file, const std::vector<double>& no_data) {
-  UnscaledImage raster = read_raster(file, no_data);
+  UnscaledImage raster = read_unscaled(file, no_data);
   require_no_picture(raster);
   if (raster.holds_whole_numbers()) {
     throw Error(file + ": holds whole numbers (" + depth_name(raster.depth) +

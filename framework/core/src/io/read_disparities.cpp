@@ -58,7 +58,7 @@ Noted<cv::Mat1f> to_disparities(UnscaledImage raster, double divisor) {
 
 Noted<cv::Mat1f> read_disparities(const std::string& file, std::optional<double> divisor,
                                   const std::vector<double>& no_data) {
-  UnscaledImage raster = read_raster(file, no_data);
+  UnscaledImage raster = read_unscaled(file, no_data);
   require_no_picture(raster);
   require_divisor(raster, divisor);
   return to_disparities(std::move(raster), divisor.value_or(1));

@@ -82,7 +82,7 @@ std::vector<std::string> MaskValues::warnings(const std::string& file, MaskUse u
 
 Noted<cv::Mat1b> read_mask(const std::string& file, MaskUse use) {
   MaskValues values;
-  Noted<cv::Mat1b> read{values.add(read_raster(file)), {}};
+  Noted<cv::Mat1b> read{values.add(read_unscaled(file)), {}};
   if (use != MaskUse::objects && values.are_zeros_and_ones()) read.value *= kJudged;
   read.warnings = values.warnings(file, use);
   return read;

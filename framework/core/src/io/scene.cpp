@@ -3,7 +3,7 @@
 
 #include <sstream>
 
-#include "io/raster.hpp"
+#include "io/unscaled_image.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/io/pair_in_files.hpp"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "io/raster.hpp"
+#include "io/unscaled_image.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/data/fault.hpp"
 #include "xgm/io/file.hpp"

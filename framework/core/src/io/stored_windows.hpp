@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "io/raster.hpp"
+#include "io/unscaled_image.hpp"
 
 namespace xgm {
 
@@ -41,7 +41,7 @@ std::unique_ptr<StoredWindows> open_tiff(const std::string& file);
 std::unique_ptr<StoredWindows> open_png(const std::string& file, const std::string& scratch);
 
 /// Any format. Files that are needed meanwhile are made in the folder `scratch`. Throws Error as
-/// read_raster() does, for damages of pixels maybe not before these are read.
+/// read_unscaled() does, for damages of pixels maybe not before these are read.
 std::unique_ptr<StoredWindows> open_stored(const std::string& file, const std::string& scratch);
 
 }  // namespace xgm

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "io/raster.hpp"
+#include "io/unscaled_image.hpp"
 
 namespace xgm {
 

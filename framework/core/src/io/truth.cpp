@@ -2,7 +2,7 @@
 // What is true of a scene, read from its files.
 #include <cmath>
 
-#include "io/raster.hpp"
+#include "io/unscaled_image.hpp"
 #include "io/warnings.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/io/scene.hpp"

@@ -13,7 +13,7 @@
 
 namespace xgm {
 
-/// Windows of what read_raster() gives, except that `valid` is empty where a window has no pixel
+/// Windows of what read_unscaled() gives, except that `valid` is empty where a window has no pixel
 /// without data. Any thread may read.
 class RasterWindows {
  public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/raster.hpp"
+#include "io/unscaled_image.hpp"
 
 #include <cmath>
 #include <opencv2/imgcodecs.hpp>
@@ -118,7 +118,7 @@ UnscaledImage to_unscaled(StoredImage stored, const std::string& file, bool alph
   return raster;
 }
 
-UnscaledImage read_raster(const std::string& file, const std::vector<double>& no_data) {
+UnscaledImage read_unscaled(const std::string& file, const std::vector<double>& no_data) {
   StoredImage stored = read_stored(file);
   const bool alpha = is_alpha_used(stored);
   return to_unscaled(std::move(stored), file, alpha, no_data);

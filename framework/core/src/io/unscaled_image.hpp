@@ -33,7 +33,8 @@ UnscaledImage to_unscaled(StoredImage stored, const std::string& file, bool alph
 /// Decodes any format. A pixel has no data where alpha is 0, where a value is not finite, or where
 /// all bands equal the value that the file names (GDAL_NODATA) or one of `no_data`; values are
 /// compared in the type of the file. Throws Error. Exported for the tests only.
-XGM_API UnscaledImage read_raster(const std::string& file, const std::vector<double>& no_data = {});
+XGM_API UnscaledImage read_unscaled(const std::string& file,
+                                    const std::vector<double>& no_data = {});
 
 /// "8-bit", "16-bit", "float", ...
 std::string depth_name(int depth);
