@@ -62,6 +62,24 @@ TEST_CASE("tiles: plan, run and join give the map of run --tiles") {
   }
 }
 
+TEST_CASE(
+    "tiles: what is fitted to the whole scene comes from a job, whose file is named if missing") {
+  const Desk desk;
+  const Outcome plan =
+      desk.call("tiles plan tmgm16_refined" + kPair + "--tiles 128x96 --threads 1 -o work");
+  INFO(plan.errors);
+  REQUIRE(plan.exit_code == 0);
+  CHECK(contains(plan.output, "6 jobs"));
+  check_refused(desk.call("tiles run work/manifest.json coarse"),
+                "not done: fit; work/jobs/fit.json is missing", 1);
+  for (const char* job : {"fit", "coarse", "tile_2_2", "tile_1_1", "tile_1_2", "tile_2_1"}) {
+    CHECK(desk.call("tiles run work/manifest.json " + std::string(job)).exit_code == 0);
+  }
+  CHECK(desk.call("tiles join work/manifest.json").exit_code == 0);
+  REQUIRE(desk.call("run tmgm16_refined" + kPair + "--tiles 128x96 -o once").exit_code == 0);
+  CHECK(read_file(desk / "work/disparity.pfm") == read_file(desk / "once/disparity.pfm"));
+}
+
 TEST_CASE("tiles: mistakes are exit 2, each with its remedy") {
   const Desk desk;
   check_refused(desk.call("tiles"), "subcommand");

@@ -23,6 +23,19 @@ void check_preprocess_on(Report& report, const Preprocess& stage, const ImagePai
                     "a masked base pixel is valid afterwards", y, x);
 }
 
+/// What is fitted to a scene in one process is the same after a way through text to another one.
+void check_restored(Report& report, const Preprocess& stage, const ImagePair& pair) {
+  const auto fitted = stage.fitted(PairInMemory(pair), Context{});
+  if (fitted == nullptr || fitted->state().is_null()) return;
+  const auto restored = stage.restored(Json::parse(fitted->state().dump()), pair.size());
+  report.expect(restored != nullptr, "restored() does not know the state() of what it has fitted");
+  if (restored == nullptr) return;
+  const cv::Point origin(3, 2);
+  report.expect(restored->margin() == fitted->margin() &&
+                    bytes_of(restored->run(pair, origin)) == bytes_of(fitted->run(pair, origin)),
+                "what restored() makes of a state() is not the same");
+}
+
 /// The steps of 4, 8 and 16 path directions.
 std::vector<Direction> directions() {
   std::vector<Direction> all;
@@ -93,8 +106,12 @@ void check_penalty_on(Report& report, const Penalty& stage, const ImagePair& pai
 
 Violations check_preprocess(const Preprocess& stage, const Watch& watch) {
   Report report(watch);
-  for (const Input& input : inputs())
-    report.with(input.name, [&] { check_preprocess_on(report, stage, input.pair); });
+  for (const Input& input : inputs()) {
+    report.with(input.name, [&] {
+      check_preprocess_on(report, stage, input.pair);
+      check_restored(report, stage, input.pair);
+    });
+  }
   return report.take();
 }
 

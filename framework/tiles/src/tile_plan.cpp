@@ -8,6 +8,7 @@
 #include "xgm/base/memory.hpp"
 #include "xgm/base/parallel.hpp"
 #include "xgm/data/interval_mapping.hpp"
+#include "xgm/stage/preprocess.hpp"
 
 namespace xgm::tiles {
 namespace {
@@ -41,7 +42,17 @@ Workload load_of(const MatchRequest& small, const TiledRequest& request,
   return load;
 }
 
+bool is_preprocess(const PlannedStage& stage) { return stage.place.kind == Preprocess::kKind; }
+
 }  // namespace
+
+double matching_seconds(const RunPlan& plan) {
+  double seconds = 0;
+  for (const PlannedStage& stage : plan.stages) {
+    if (!is_preprocess(stage)) seconds += stage.seconds;
+  }
+  return seconds;
+}
 
 TilePlan::TilePlan(const Pipeline& pipeline, const TiledRequest& request, const Besides& besides,
                    const RunOptions& options, PlanOf what)
@@ -82,6 +93,18 @@ RunPlan TilePlan::tile(const TileOptions& tiles) const {
   const double coarse_maps =
       scale == 1 ? 0 : 2 * kMapBytes * load_.size.width * load_.size.height / scale / scale;
   return plan_of(tile, load_.range, kLeftByTiles + ranges + coarse_maps);
+}
+
+TilePlan::Fit TilePlan::fit() const {
+  // Stages look at a whole scene by windows; they hold no more at once than of so large a scene.
+  const cv::Size windows(std::min(load_.size.width, 2048), std::min(load_.size.height, 2048));
+  Fit fit;
+  for (const PlannedStage& stage : plan_of(windows, load_.range, 0).stages) {
+    if (is_preprocess(stage)) fit.bytes = std::max(fit.bytes, stage.memory);
+  }
+  const RunPlan whole = plan_of(load_.size, load_.range, 0);
+  fit.seconds = whole.seconds - matching_seconds(whole);
+  return fit;
 }
 
 RunPlan TilePlan::coarse(const TileOptions& tiles) const {

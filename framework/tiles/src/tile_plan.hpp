@@ -10,6 +10,9 @@ namespace xgm::tiles {
 /// Seconds cost one more small run, and a look at the speed of the machine.
 enum class PlanOf { memory, memory_and_seconds };
 
+/// Seconds of a plan without those of preprocess stages.
+double matching_seconds(const RunPlan& plan);
+
 class TilePlan {
  public:
   /// Watches a small run of the scene.
@@ -19,6 +22,11 @@ class TilePlan {
   /// Of one tile of the largest size, and of the coarse levels, of which there may be none.
   RunPlan tile(const TileOptions& tiles) const;
   RunPlan coarse(const TileOptions& tiles) const;
+  /// Of what preprocess stages look at the whole scene for.
+  struct Fit {
+    double bytes = 0, seconds = 0;
+  };
+  Fit fit() const;
   /// The most that is taken at a time: for a tile, for the coarse levels, or after them.
   double bytes(const TileOptions& tiles) const;
   /// The same of a run without tiles.

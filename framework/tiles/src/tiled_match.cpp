@@ -42,6 +42,20 @@ void TiledMatch::prepare(const RunOptions& options) {
   });
 }
 
+Json TiledMatch::find_on_whole(const RunOptions& options) const {
+  Json found;
+  pipeline_.in_run(options, [&](const Context& context) {
+    found = stereo_family(pipeline_).found_on_whole(request_.pair, context);
+  });
+  return found;
+}
+
+void TiledMatch::prepare_with(const Json& found, const RunOptions& options) {
+  pipeline_.in_run(options, [&](const Context& context) {
+    request_.pair = stereo_family(pipeline_).prepared_with(found, request_.pair, context);
+  });
+}
+
 bool TiledMatch::has_coarse() const {
   return coarse_scale(pipeline_, request_.pair->size(), tiles_) > 1;
 }

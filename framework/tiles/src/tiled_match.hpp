@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A pair that is matched in tiles, step by step: the coarse levels, then any tile by itself.
+// A pair that is matched in tiles, step by step: looks at the whole of it, the coarse levels, then
+// any tile by itself.
 #pragma once
 
 #include <optional>
@@ -12,6 +13,8 @@
 
 namespace xgm::tiles {
 
+/// Names of the steps before the tiles.
+inline constexpr const char* kFit = "fit";
 inline constexpr const char* kCoarse = "coarse";
 
 /// Of the tiles that match them: "tile_ROW_COLUMN" from 1 on.
@@ -25,6 +28,9 @@ class TiledMatch {
 
   /// Fits what is fitted to the whole images. Comes first.
   void prepare(const RunOptions& options);
+  /// The same in two steps, of which each process but one needs the second alone.
+  Json find_on_whole(const RunOptions& options) const;
+  void prepare_with(const Json& found, const RunOptions& options);
 
   /// Whether there are coarse levels, which have to be matched or given before any tile.
   bool has_coarse() const;

@@ -33,8 +33,8 @@ class PreparedParts final : public PairWindows {
 }  // namespace
 
 std::shared_ptr<const PairWindows> prepared(std::shared_ptr<const PairWindows> scene,
-                                            const Preprocess& stage, const Context& context) {
-  auto fitted = stage.fitted(*scene, context);
+                                            const Preprocess& stage,
+                                            std::shared_ptr<const PartPreprocess> fitted) {
   return std::make_shared<PreparedParts>(std::move(scene), stage, std::move(fitted));
 }
 

@@ -9,8 +9,9 @@
 
 namespace xgm::stereo {
 
-/// `stage` outlives the result.
+/// `fitted`: what the stage has found on the scene; may be null. `stage` outlives the result.
 std::shared_ptr<const PairWindows> prepared(std::shared_ptr<const PairWindows> scene,
-                                            const Preprocess& stage, const Context& context);
+                                            const Preprocess& stage,
+                                            std::shared_ptr<const PartPreprocess> fitted);
 
 }  // namespace xgm::stereo

@@ -2,6 +2,7 @@
 // The top of a stereo pipeline's file: preprocess, matcher, postprocess.
 #include <algorithm>
 
+#include "plugins/pipeline/stereo/found_on_whole.hpp"
 #include "plugins/pipeline/stereo/prepared_parts.hpp"
 #include "xgm/base/aligned_buffer.hpp"
 #include "xgm/base/memory.hpp"
@@ -83,18 +84,56 @@ class Stereo final : public xgm::StereoFamily {
 
   std::shared_ptr<const xgm::PairWindows> prepared(std::shared_ptr<const xgm::PairWindows> scene,
                                                    const xgm::Context& context) const override {
-    const HeapTrimmed trimmed;
-    for (const auto& stage : stages_.preprocess) {
-      scene = xgm::stereo::prepared(std::move(scene), stage.stage(), context.scope("preprocess"));
-    }
-    return scene;
+    const xgm::Context here = context.scope("preprocess");
+    return prepare(std::move(scene), [&](const Stage& stage, const xgm::PairWindows& so_far) {
+      return stage->fitted(so_far, here);
+    });
+  }
+
+  bool looks_at_whole() const override { return !stages_.preprocess.empty(); }
+
+  xgm::Json found_on_whole(std::shared_ptr<const xgm::PairWindows> scene,
+                           const xgm::Context& context) const override {
+    const xgm::Context here = context.scope("preprocess");
+    xgm::Json found = xgm::Json::array();
+    prepare(std::move(scene), [&](const Stage& stage, const xgm::PairWindows& so_far) {
+      auto fitted = stage->fitted(so_far, here);
+      found.push_back(xgm::stereo::record_of(stage.plugin(), fitted.get(), here));
+      return fitted;
+    });
+    return found;
+  }
+
+  std::shared_ptr<const xgm::PairWindows> prepared_with(
+      const xgm::Json& found, std::shared_ptr<const xgm::PairWindows> scene,
+      const xgm::Context& context) const override {
+    const xgm::Context here = context.scope("preprocess");
+    auto record = found.begin();
+    return prepare(std::move(scene), [&](const Stage& stage, const xgm::PairWindows& so_far) {
+      if (record == found.end()) throw xgm::Error("nothing was found for '" + stage.plugin() + "'");
+      return xgm::stereo::fitted_by(*record++, stage.plugin(), stage.stage(), so_far, here);
+    });
   }
 
  private:
+  using Stage = xgm::Slot<xgm::Preprocess>;
+
   /// Key points leave hundreds of MB in the heap, also if the run is cancelled meanwhile.
   struct HeapTrimmed {
     ~HeapTrimmed() { xgm::trim_heap(); }
   };
+
+  /// `fit` gives what a stage has found on the scene as the stages before leave it.
+  template <class Fit>
+  std::shared_ptr<const xgm::PairWindows> prepare(std::shared_ptr<const xgm::PairWindows> scene,
+                                                  Fit fit) const {
+    const HeapTrimmed trimmed;
+    for (const Stage& stage : stages_.preprocess) {
+      auto fitted = fit(stage, *scene);
+      scene = xgm::stereo::prepared(std::move(scene), stage.stage(), std::move(fitted));
+    }
+    return scene;
+  }
 
   xgm::ImagePair preprocess(xgm::ImagePair pair, const xgm::Context& context) const {
     if (stages_.preprocess.empty()) return pair;

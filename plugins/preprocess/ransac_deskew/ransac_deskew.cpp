@@ -63,6 +63,10 @@ class DeskewOfParts final : public xgm::PartPreprocess {
     if (!model_) return part;
     return {part.base, warp_rows(part.match, *model_, origin), part.is_reverse};
   }
+  xgm::Json state() const override {
+    if (!model_) return {{"rows", "left as they are"}};
+    return {{"a", model_->a}, {"b", model_->b}, {"c", model_->c}};
+  }
 
  private:
   static constexpr int kCubicRows = 2;
@@ -119,6 +123,16 @@ class RansacDeskew final : public xgm::Preprocess, public xgm::StatesNeeds {
   std::shared_ptr<const xgm::PartPreprocess> fitted(const xgm::PairWindows& scene,
                                                     const xgm::Context& context) const override {
     return std::make_shared<DeskewOfParts>(find_model(scene, context), scene.size());
+  }
+
+  std::shared_ptr<const xgm::PartPreprocess> restored(const xgm::Json& state,
+                                                      cv::Size scene) const override {
+    if (state.contains("rows")) return std::make_shared<DeskewOfParts>(std::nullopt, scene);
+    for (const char* name : {"a", "b", "c"}) {
+      if (!state.contains(name) || !state.at(name).is_number()) return nullptr;
+    }
+    const auto number = [&](const char* name) { return state.at(name).number(); };
+    return std::make_shared<DeskewOfParts>(RowModel{number("a"), number("b"), number("c")}, scene);
   }
 
   /// The base image stays as it is; the match image is warped, and gets a mask, when all that the

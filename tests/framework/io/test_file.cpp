@@ -6,7 +6,9 @@
 #include <sys/wait.h>
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
+#include <filesystem>
 #include <functional>
 #include <ostream>
 
@@ -138,6 +140,30 @@ TEST_CASE("identify_file: size and hash of files longer than one piece") {
   std::snprintf(expected, sizeof expected, "%016llx",
                 static_cast<unsigned long long>(fnv1a64(text)));
   CHECK(identity.fnv1a64 == expected);
+}
+
+TEST_CASE("is_still: an old time and the size are enough, else the hash decides") {
+  namespace fs = std::filesystem;
+  const TemporaryFolder folder;
+  const std::string file = folder.write("a.txt", "one");
+  CHECK(identify_file(file).modified == 0);  // a change within the same tick would not show
+  CHECK(is_still(file, identify_file(file)));
+  const auto old = fs::last_write_time(file) - std::chrono::minutes(1);
+  fs::last_write_time(file, old);
+  const FileIdentity identity = identify_file(file);
+  CHECK(identity.modified != 0);
+  CHECK(is_still(file, identity));
+  fs::last_write_time(file, old + std::chrono::seconds(3));
+  CHECK(is_still(file, identity));  // touched, the same content
+  folder.write("a.txt", "two");
+  CHECK_FALSE(is_still(file, identity));
+  fs::last_write_time(file, old);
+  CHECK(is_still(file, identity));  // what no hash is made for cannot be seen
+  folder.write("a.txt", "three");
+  fs::last_write_time(file, old);
+  CHECK_FALSE(is_still(file, identity));
+  fs::remove(file);
+  CHECK(contains(error_of([&] { is_still(file, identity); }), "a.txt: no such file"));
 }
 
 TEST_CASE("read_file: longer than the limit is an error") {

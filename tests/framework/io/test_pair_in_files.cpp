@@ -58,7 +58,8 @@ bool same(const Image& a, const Image& b) {
                     [](const cv::Mat1f& p, const cv::Mat1f& q) { return same(p, q); });
 }
 
-/// The whole reader and the windows say the same, in pixels, notes and warnings.
+/// The whole reader and the windows say the same, in pixels, notes and warnings; windows that know
+/// what others have looked for have the same pixels.
 void check_windows(const PairFiles& files, const TemporaryFolder& folder) {
   const ReadPair whole = read_pair(files);
   const std::size_t held = folder.files();
@@ -67,16 +68,25 @@ void check_windows(const PairFiles& files, const TemporaryFolder& folder) {
   CHECK(windows.size() == whole.pair.size());
   CHECK(windows.notes() == whole.notes);
   CHECK(windows.warnings() == whole.warnings);
+  const PairInFiles told(files, folder.path(), windows.look());
+  CHECK(told.notes().empty());
+  CHECK(told.warnings().empty());
+  for (const bool of_match : {false, true}) {
+    CHECK(told.masked_share(of_match) == windows.masked_share(of_match));
+  }
   Random random(7);
   for (int k = 0; k < 12; ++k) {
     const cv::Size size = windows.size();
     const int x = random.integer(0, size.width - 1), y = random.integer(0, size.height - 1);
     const cv::Rect window(x, y, random.integer(1, size.width - x),
                           random.integer(1, size.height - y));
-    const ImagePair part = windows.read(k == 0 ? cv::Rect({}, size) : window);
-    const ImagePair expected = crop(whole.pair, k == 0 ? cv::Rect({}, size) : window);
-    CHECK(same(part.base, expected.base));
-    CHECK(same(part.match, expected.match));
+    const cv::Rect read = k == 0 ? cv::Rect({}, size) : window;
+    const ImagePair expected = crop(whole.pair, read);
+    for (const PairInFiles* reader : {&windows, &told}) {
+      const ImagePair part = reader->read(read);
+      CHECK(same(part.base, expected.base));
+      CHECK(same(part.match, expected.match));
+    }
   }
 }
 

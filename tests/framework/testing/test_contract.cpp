@@ -132,6 +132,35 @@ class FewerRows final : public Preprocess {
   }
 };
 
+/// Adds a level that it was fitted to; what is handed on is less by `lost`.
+class Forgetful final : public Preprocess {
+ public:
+  explicit Forgetful(double lost) : lost_(lost) {}
+  ImagePair run(const ImagePair& pair, const Context&) const override {
+    return Part(1, 0).run(pair, {});
+  }
+  std::shared_ptr<const PartPreprocess> fitted(const PairWindows&, const Context&) const override {
+    return std::make_shared<Part>(1, lost_);
+  }
+  std::shared_ptr<const PartPreprocess> restored(const Json& state, cv::Size) const override {
+    return lost_ < 1 ? std::make_shared<Part>(state.number(), lost_) : nullptr;
+  }
+
+ private:
+  struct Part final : PartPreprocess {
+    Part(double level, double lost) : level_(level), lost_(lost) {}
+    int margin() const override { return 0; }
+    ImagePair run(const ImagePair& part, cv::Point) const override {
+      ImagePair result = part;
+      for (cv::Mat1f& plane : result.match.planes) plane = cv::Mat1f(plane + level_);
+      return result;
+    }
+    Json state() const override { return level_ - lost_; }
+    double level_, lost_;
+  };
+  double lost_;
+};
+
 class Narrow final : public SearchRange {
  public:
   DisparityRange run(const DisparityMap&, const DisparityRange& limits,
@@ -212,6 +241,9 @@ TEST_CASE("contract checks: faults of the other kinds are told") {
   CHECK(tells(matcher, "fewer than half"));
   CHECK(tells(check_refinement(TooFar()), "more than half a pixel"));
   CHECK(tells(check_preprocess(FewerRows()), "base image's size"));
+  CHECK_FALSE(tells(check_preprocess(Forgetful(0)), "state()"));
+  CHECK(tells(check_preprocess(Forgetful(0.5)), "makes of a state() is not the same"));
+  CHECK(tells(check_preprocess(Forgetful(1)), "does not know the state()"));
   CHECK(tells(check_search_range(Narrow()), "nothing to search"));
   CHECK(tells(check_consistency(Inventive()), "a disparity was added"));
 }

@@ -4,88 +4,28 @@
 
 #include <algorithm>
 
-#include "support/paths.hpp"
-#include "support/support.hpp"
-#include "support/temporary_folder.hpp"
-#include "xgm/io/file.hpp"
-#include "xgm/io/image_io.hpp"
-#include "xgm/io/map_in_parts.hpp"
-#include "xgm/io/outputs.hpp"
+#include "framework/tiles/job_desk.hpp"
 #include "xgm/io/pfm.hpp"
-#include "xgm/io/write_maps.hpp"
-#include "xgm/pipeline/lookup.hpp"
-#include "xgm/synthesis/plain_scene.hpp"
-#include "xgm/tiles/jobs.hpp"
 
 using namespace xgm;
 using namespace xgm::tiles;
 using xgm::testing::builtins;
 using xgm::testing::contains;
 using xgm::testing::error_of;
-using xgm::testing::TemporaryFolder;
-
-namespace {
-
-/// A pair in files, and the manifest of its jobs.
-struct Desk : TemporaryFolder {
-  explicit Desk(const std::string& pipeline_name)
-      : Desk(require_pipeline(XGM_SOURCE_DIR "/pipelines/" + pipeline_name + ".yaml", builtins())) {
-  }
-  explicit Desk(Pipeline asked) : pipeline(std::move(asked)) {
-    const auto scene = synthesis::generate_plain(
-        {.size = {261, 171}, .disparities = {-6, 34}, .seed = 3, .noise = 2});
-    files.images = {.left = *this / "left.png", .right = *this / "right.png"};
-    write_png(files.images.left, picture(scene.pair.base));
-    write_png(files.images.right, picture(scene.pair.match));
-    files.name = "generated";
-    request.scene = files;
-    request.disparities = Interval{-6, 34};
-    request.scratch = path();
-    manifest = plan_jobs(pipeline, read_scene(request, pipeline), files.images, cv::Size(128, 96),
-                         *this / "work/manifest.json", {.threads = 1});
-    write_manifest(manifest);
-  }
-
-  /// The files of the map, made by one process.
-  void match_at_once(const std::string& folder) const {
-    std::filesystem::create_directories(folder);
-    const SceneInputs inputs = read_scene(request, pipeline);
-    MapInParts map(folder, manifest.size, manifest.disparities, 1e12);
-    run_in_tiles(pipeline, {inputs.scene.windows, inputs.range}, manifest.tiles,
-                 [&](const cv::Rect& place, const DisparityMap& part) { map.take(place, part); });
-    map.finish();
-  }
-
-  bool run(const std::string& job) const {
-    return run_job(manifest, find_job(manifest, job), pipeline, {.threads = 1});
-  }
-
-  Pipeline pipeline;
-  SceneFiles files;
-  SceneRequest request;
-  JobManifest manifest;
-};
-
-void check_same_files(const std::string& a, const std::string& b) {
-  for (const char* name : kMapFiles) {
-    CAPTURE(std::string(name));
-    CHECK(read_file(a + "/" + name) == read_file(b + "/" + name));
-  }
-}
-
-}  // namespace
 
 TEST_CASE("jobs in any order give the bytes of one process") {
   for (const char* name : {"tmgm16_refined", "sgm8"}) {
     CAPTURE(std::string(name));
     const Desk desk(name);
-    const bool is_pyramid = desk.manifest.jobs.front().name == "coarse";
-    CHECK(is_pyramid == (std::string(name) != "sgm8"));
     std::vector<TileJob> jobs = desk.manifest.jobs;
-    CHECK(jobs.size() == 6 + (is_pyramid ? 1 : 0));
-    if (is_pyramid) CHECK(desk.run("coarse"));
+    // sgm8 has nothing that looks at the whole, and no pyramid.
+    const std::vector<std::string> before =
+        std::string(name) == "sgm8" ? Names{} : Names{"fit", "coarse"};
+    CHECK(jobs.size() == 6 + before.size());
+    CHECK(jobs.back().needs == before);
+    for (const std::string& first : before) CHECK(desk.run(first));
     std::reverse(jobs.begin(), jobs.end());
-    for (const TileJob& job : jobs) CHECK(desk.run(job.name) == (job.name != "coarse"));
+    for (const TileJob& job : jobs) CHECK(desk.run(job.name) == !job.place.empty());
     const MapSummary summary = join_jobs(desk.manifest, desk / "joined");
     desk.match_at_once(desk / "at_once");
     check_same_files(desk / "joined", desk / "at_once");

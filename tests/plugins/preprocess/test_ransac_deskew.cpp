@@ -192,6 +192,26 @@ TEST_CASE("ransac_deskew: false matches do not move the model") {
   CHECK(listener.figures.at("inliers") < 0.75 * listener.figures.at("matches"));
 }
 
+TEST_CASE("ransac_deskew: what was fitted goes through text to the last bit") {
+  for (const double shift : {1.3, 0.0}) {  // a model, and rows that are left as they are
+    const ImagePair pair = make_scene(scene_options({shift / 300, shift / 100, shift})).pair;
+    const auto deskew = stage<Preprocess>("ransac_deskew");
+    Listener listener;
+    const auto fitted = deskew->fitted(PairInMemory(pair), Context(&listener));
+    const std::string text = fitted->state().dump(2);
+    CAPTURE(text);
+    const auto restored = deskew->restored(Json::parse(text), pair.size());
+    REQUIRE(restored != nullptr);
+    CHECK(restored->margin() == fitted->margin());
+    CHECK(restored->state().dump() == fitted->state().dump());
+    CHECK(same(restored->run(pair, {5, 7}).match, fitted->run(pair, {5, 7}).match));
+    CHECK(same(restored->run(pair, {}).match, pair.match) == (shift == 0));
+  }
+  for (const char* text : {"{}", "{\"a\": 1, \"b\": 2}", "{\"a\": 1, \"b\": 2, \"c\": null}"}) {
+    CHECK(stage<Preprocess>("ransac_deskew")->restored(Json::parse(text), {9, 9}) == nullptr);
+  }
+}
+
 TEST_CASE(
     "ransac_deskew: the result depends neither on threads, OpenCV's included, nor on the run") {
   const ImagePair pair = make_scene(scene_options({0.003, 0.01, 1.3})).pair;

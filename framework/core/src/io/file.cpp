@@ -2,9 +2,11 @@
 #include "xgm/io/file.hpp"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -20,6 +22,9 @@ namespace {
 
 constexpr std::uint64_t kFnvOffset = 14695981039346656037u;
 constexpr std::uint64_t kFnvPrime = 1099511628211u;
+// Two changes within it may bear the same time: file systems that count in steps of 2 s, and
+// servers whose clock is not ours.
+constexpr std::int64_t kCoarsestTime = 10'000'000'000;  // ns
 constexpr const char* kEmpty = ": is empty; give a complete file";
 
 std::uint64_t fnv1a64(std::uint64_t hash, std::string_view bytes) {
@@ -55,6 +60,18 @@ void read_pieces(const std::string& file, Body body) {
     body(std::string_view(buffer.data(), static_cast<std::size_t>(stream.gcount())));
   }
   if (stream.bad()) throw Error(file + ": reading failed: " + std::strerror(errno));
+}
+
+/// ns since 1970; 0 if it is not known.
+std::int64_t modified_at(const std::string& file) {
+  struct stat status {};
+  if (::stat(file.c_str(), &status) != 0) return 0;
+  return std::int64_t{status.st_mtim.tv_sec} * 1'000'000'000 + status.st_mtim.tv_nsec;
+}
+
+std::int64_t nanoseconds_now() {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();
 }
 
 }  // namespace
@@ -136,13 +153,24 @@ std::string hash_text(std::string_view bytes) { return digits_of(fnv1a64(bytes))
 
 FileIdentity identify_file(const std::string& file) {
   FileIdentity identity;
+  const std::int64_t before = modified_at(file), now = nanoseconds_now();
   std::uint64_t hash = kFnvOffset;
   read_pieces(file, [&](std::string_view piece) {
     identity.bytes += piece.size();
     hash = fnv1a64(hash, piece);
   });
   identity.fnv1a64 = digits_of(hash);
+  if (now - before > kCoarsestTime && modified_at(file) == before) identity.modified = before;
   return identity;
+}
+
+bool is_still(const std::string& file, const FileIdentity& identity) {
+  std::error_code unknown;
+  const std::uintmax_t bytes = fs::file_size(file, unknown);
+  if (!unknown && bytes != identity.bytes) return false;
+  if (!unknown && identity.modified != 0 && modified_at(file) == identity.modified) return true;
+  const FileIdentity now = identify_file(file);
+  return now.bytes == identity.bytes && now.fnv1a64 == identity.fnv1a64;
 }
 
 }  // namespace xgm

@@ -27,7 +27,22 @@ PairInFiles::PairInFiles(const PairFiles& files, const std::string& scratch)
   if (left.planes() != right.planes()) notes_.push_back(kMatchedAsGrey);
 }
 
+PairInFiles::PairInFiles(const PairFiles& files, const std::string& scratch, const PairLook& look)
+    : files_(
+          new Files{ViewInFile(files.left, files.left_mask, files.no_data, scratch, look.left),
+                    ViewInFile(files.right, files.right_mask, files.no_data, scratch, look.right),
+                    {look.offset, look.gain}}) {
+  require_same(files_->left.stored(), files_->right.stored());
+}
+
 PairInFiles::~PairInFiles() = default;
+
+PairLook PairInFiles::look() const {
+  return {.left = files_->left.look(),
+          .right = files_->right.look(),
+          .offset = files_->scaling.offset,
+          .gain = files_->scaling.gain};
+}
 
 cv::Size PairInFiles::size() const { return files_->left.stored().size; }
 

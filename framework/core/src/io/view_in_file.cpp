@@ -9,12 +9,12 @@
 namespace xgm {
 
 RasterWindows::RasterWindows(const std::string& file, const std::vector<double>& no_data,
-                             const std::string& scratch)
+                             const std::string& scratch, std::optional<bool> alpha)
     : no_data_(no_data), windows_(open_stored(file, scratch)) {
   const StoredImage first = windows_->read({0, 0, 1, 1});
   stored_ = {file, windows_->size(), first.channels.front().depth()};
   planes_ = static_cast<int>(first.channels.size());
-  alpha_ = !first.alpha.empty() && is_alpha_filled_in();
+  alpha_ = !first.alpha.empty() && (alpha ? *alpha : is_alpha_filled_in());
 }
 
 StoredImage RasterWindows::read_stored(const cv::Rect& window) const {
@@ -36,6 +36,27 @@ UnscaledImage RasterWindows::read(const cv::Rect& window) const {
 ViewInFile::ViewInFile(const std::string& file, const std::string& mask_file,
                        const std::vector<double>& no_data, const std::string& scratch)
     : mask_file_(mask_file), scratch_(scratch), image_(file, no_data, scratch) {}
+
+ViewInFile::ViewInFile(const std::string& file, const std::string& mask_file,
+                       const std::vector<double>& no_data, const std::string& scratch,
+                       const PairLook::View& look)
+    : mask_file_(mask_file),
+      scratch_(scratch),
+      image_(file, no_data, scratch, look.alpha),
+      marks_{look.never, look.marks},
+      masked_pixels_(look.masked_pixels) {
+  if (mask_file.empty()) return;
+  mask_ =
+      std::make_unique<RasterWindows>(mask_file, std::vector<double>{}, scratch, look.mask_alpha);
+}
+
+PairLook::View ViewInFile::look() const {
+  return {.alpha = image_.has_alpha(),
+          .mask_alpha = mask_ && mask_->has_alpha(),
+          .never = marks_.never,
+          .marks = marks_.values,
+          .masked_pixels = masked_pixels_};
+}
 
 void ViewInFile::look_at_mask(std::vector<std::string>& warnings) {
   if (mask_file_.empty()) return;

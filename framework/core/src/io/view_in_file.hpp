@@ -10,6 +10,7 @@
 #include "io/marks.hpp"
 #include "io/mask_values.hpp"
 #include "io/stored_windows.hpp"
+#include "xgm/io/pair_in_files.hpp"
 
 namespace xgm {
 
@@ -17,11 +18,13 @@ namespace xgm {
 /// without data. Any thread may read.
 class RasterWindows {
  public:
+  /// `alpha`: whether an alpha channel is filled in, if that is known.
   RasterWindows(const std::string& file, const std::vector<double>& no_data,
-                const std::string& scratch);
+                const std::string& scratch, std::optional<bool> alpha = std::nullopt);
 
   const Stored& stored() const { return stored_; }
   int planes() const { return planes_; }
+  bool has_alpha() const { return alpha_; }
   double held_bytes() const { return windows_->held_bytes(); }
 
   UnscaledImage read(const cv::Rect& window) const;
@@ -42,6 +45,11 @@ class ViewInFile {
  public:
   ViewInFile(const std::string& file, const std::string& mask_file,
              const std::vector<double>& no_data, const std::string& scratch);
+  /// With what the looks below have found.
+  ViewInFile(const std::string& file, const std::string& mask_file,
+             const std::vector<double>& no_data, const std::string& scratch,
+             const PairLook::View& look);
+  PairLook::View look() const;
 
   /// In this order, before the first window is read. Throw Error, and add to the warnings.
   void look_at_mask(std::vector<std::string>& warnings);

@@ -7,13 +7,28 @@ namespace xgm {
 
 PartPreprocess::~PartPreprocess() = default;
 
+Json PartPreprocess::state() const { return {}; }
+
 std::shared_ptr<const PartPreprocess> Preprocess::fitted(const PairWindows&, const Context&) const {
+  return nullptr;
+}
+
+std::shared_ptr<const PartPreprocess> Preprocess::restored(const Json&, cv::Size) const {
   return nullptr;
 }
 
 std::shared_ptr<const PairWindows> StereoFamily::prepared(std::shared_ptr<const PairWindows> scene,
                                                           const Context&) const {
   return scene;
+}
+
+Json StereoFamily::found_on_whole(std::shared_ptr<const PairWindows>, const Context&) const {
+  return {};
+}
+
+std::shared_ptr<const PairWindows> StereoFamily::prepared_with(
+    const Json&, std::shared_ptr<const PairWindows> scene, const Context& context) const {
+  return prepared(std::move(scene), context);
 }
 
 }  // namespace xgm

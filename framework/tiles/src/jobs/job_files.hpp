@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "xgm/base/json.hpp"
+#include "xgm/io/stored_result.hpp"
 #include "xgm/tiles/jobs.hpp"
 
 namespace xgm::tiles {
@@ -12,14 +14,23 @@ inline constexpr const char* kJobsFolder = "jobs";
 
 /// Where the results are.
 std::string jobs_folder(const JobManifest& manifest);
+/// That is there when the job is done.
+std::string result_file(const JobManifest& manifest, const TileJob& job);
 
 /// Of all that decides of the results.
 std::string question_hash(const JobManifest& manifest);
+
+StoredState state_of_job(const JobManifest& manifest, const TileJob& job);
 
 /// The reverse map is kept if there is one. Throws Error.
 void write_job_result(const JobManifest& manifest, const TileJob& job, const MatchResult& result,
                       double seconds);
 /// Of a job that is done. Throws Error.
 MatchResult read_job_result(const JobManifest& manifest, const TileJob& job);
+
+/// The same of the job that looks at the whole scene: what it has found.
+void write_found(const JobManifest& manifest, const TileJob& job, const Json& found,
+                 double seconds);
+Json read_found(const JobManifest& manifest, const TileJob& job);
 
 }  // namespace xgm::tiles

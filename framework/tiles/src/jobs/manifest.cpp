@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "jobs/job_files.hpp"
+#include "jobs/look_json.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/base/json.hpp"
 #include "xgm/io/file.hpp"
@@ -16,7 +17,7 @@
 namespace xgm::tiles {
 namespace {
 
-constexpr int kFormat = 1;
+constexpr int kFormat = 2;
 
 Json to_json(const cv::Rect& rect) {
   return Json(std::vector<int>{rect.x, rect.y, rect.width, rect.height});
@@ -71,10 +72,26 @@ Json to_json(const InputFile& input) {
           {"fnv1a64", input.identity.fnv1a64}};
 }
 
+Json with_times(const std::vector<InputFile>& inputs) {
+  Json list = Json::array();
+  for (const InputFile& input : inputs) {
+    Json json = to_json(input);
+    json["modified_ns"] = input.identity.modified;
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
+std::int64_t integer(const Json& json) {
+  return std::visit([](auto value) { return static_cast<std::int64_t>(value); }, json.plain());
+}
+
 InputFile input_of(const Json& json) {
-  return {json.at("role").text(),
-          json.at("file").text(),
-          {static_cast<std::uint64_t>(json.at("bytes").number()), json.at("fnv1a64").text()}};
+  return {.role = json.at("role").text(),
+          .file = json.at("file").text(),
+          .identity = {.bytes = static_cast<std::uint64_t>(integer(json.at("bytes"))),
+                       .fnv1a64 = json.at("fnv1a64").text(),
+                       .modified = integer(json.at("modified_ns"))}};
 }
 
 Json to_json(const TileJob& job) {
@@ -106,7 +123,7 @@ double join_bytes(const JobManifest& manifest) {
          MapInParts::finish_bytes(manifest.size, all) + kMapBytes * manifest.tiles.size.area();
 }
 
-/// What decides of the results.
+/// What decides of the results. When images were modified does not.
 Json question(const JobManifest& manifest) {
   Json inputs = Json::array();
   for (const InputFile& input : manifest.inputs) inputs.push_back(to_json(input));
@@ -115,6 +132,7 @@ Json question(const JobManifest& manifest) {
           {"pipeline", Json::parse(manifest.pipeline)},
           {"plugins", Json(manifest.plugins)},
           {"images", to_json(manifest.images)},
+          {"found_in_images", tiles::to_json(manifest.look)},
           {"inputs", std::move(inputs)},
           {"size", to_json(manifest.size)},
           {"disparities",
@@ -131,6 +149,7 @@ JobManifest manifest_of(const Json& json) {
           .pipeline = json.at("pipeline").dump(),
           .plugins = list_of(json.at("plugins"), text_of),
           .images = images_of(json.at("images")),
+          .look = look_of(json.at("found_in_images")),
           .inputs = list_of(json.at("inputs"), input_of),
           .size = size_of(json.at("size")),
           .disparities = {disparities[0], disparities[1] + 1},
@@ -149,6 +168,7 @@ std::string question_hash(const JobManifest& manifest) {
 
 void write_manifest(const JobManifest& manifest) {
   Json json = question(manifest);
+  json["inputs"] = with_times(manifest.inputs);
   json["pipeline_file"] = manifest.pipeline_file;
   json["threads"] = manifest.threads;
   Json jobs = Json::array();

@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "choose_tiles.hpp"
+#include "stereo_family.hpp"
 #include "tiled_match.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/base/parallel.hpp"
@@ -18,23 +19,34 @@ PairFiles absolute(PairFiles images) {
   return images;
 }
 
-/// All are given the same memory: what prepares the images, before the
-/// coarse levels and before each tile, is in the plan of a tile.
-std::vector<TileJob> jobs_of(const std::vector<cv::Rect>& parts, bool has_coarse,
-                             const TilePlan& plan, const TileOptions& tiles) {
-  const double bytes = plan.bytes(tiles), seconds = plan.tile(tiles).seconds;
+PairLook look_of(const SceneInputs& inputs) {
+  const auto* const files = dynamic_cast<const PairInFiles*>(inputs.scene.windows.get());
+  if (files == nullptr) throw UsageError("jobs need images that are read by windows");
+  return files->look();
+}
+
+/// Jobs that match are given the same memory. The job that looks at the whole scene is there if
+/// stages may do so; no other one looks then.
+std::vector<TileJob> jobs_of(const TiledMatch& match, bool has_fit, const TilePlan& plan,
+                             const TileOptions& tiles) {
+  const double bytes = plan.bytes(tiles);
   std::vector<TileJob> jobs;
-  if (has_coarse) {
-    jobs.push_back({.name = kCoarse, .memory_bytes = bytes, .seconds = plan.coarse(tiles).seconds});
-  }
+  std::vector<std::string> before;
+  const auto add_before = [&](const char* name, double memory, double seconds) {
+    jobs.push_back({.name = name, .needs = before, .memory_bytes = memory, .seconds = seconds});
+    before.emplace_back(name);
+  };
+  if (has_fit) add_before(kFit, plan.fit().bytes, plan.fit().seconds);
+  if (match.has_coarse()) add_before(kCoarse, bytes, matching_seconds(plan.coarse(tiles)));
+  const double seconds = matching_seconds(plan.tile(tiles));
+  const std::vector<cv::Rect> parts = match.parts();
   const std::vector<std::string> names = names_of(parts);
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    jobs.push_back(
-        {.name = names[i],
-         .needs = has_coarse ? std::vector<std::string>{kCoarse} : std::vector<std::string>{},
-         .place = parts[i],
-         .memory_bytes = bytes,
-         .seconds = seconds});
+    jobs.push_back({.name = names[i],
+                    .needs = before,
+                    .place = parts[i],
+                    .memory_bytes = bytes,
+                    .seconds = seconds});
   }
   return jobs;
 }
@@ -57,6 +69,7 @@ JobManifest plan_jobs(const Pipeline& pipeline, const SceneInputs& inputs, const
                        .pipeline_file = pipeline.file(),
                        .pipeline = pipeline.resolved_json(),
                        .images = absolute(images),
+                       .look = look_of(inputs),
                        .inputs = inputs.scene.inputs,
                        .size = inputs.scene.size(),
                        .disparities = inputs.range.hull(),
@@ -65,7 +78,7 @@ JobManifest plan_jobs(const Pipeline& pipeline, const SceneInputs& inputs, const
   for (InputFile& input : manifest.inputs) {
     input.file = std::filesystem::absolute(input.file).string();
   }
-  manifest.jobs = jobs_of(match.parts(), match.has_coarse(), plan, tiles);
+  manifest.jobs = jobs_of(match, stereo_family(pipeline).looks_at_whole(), plan, tiles);
   return manifest;
 }
 

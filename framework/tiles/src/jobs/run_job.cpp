@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <chrono>
 #include <limits>
 
@@ -15,8 +16,7 @@ namespace {
 
 void require_unchanged(const JobManifest& manifest) {
   for (const InputFile& input : manifest.inputs) {
-    const FileIdentity now = identify_file(input.file);
-    if (now.bytes == input.identity.bytes && now.fnv1a64 == input.identity.fnv1a64) continue;
+    if (is_still(input.file, input.identity)) continue;
     throw Error(input.file + ": has changed since " + manifest.file +
                 " was made; plan the jobs again");
   }
@@ -29,30 +29,73 @@ std::string list(const std::vector<std::string>& names) {
 }
 
 void require_done(const JobManifest& manifest, const std::vector<std::string>& names) {
+  const std::string remedy = " with pipeline tiles run " + manifest.file + " ";
   std::vector<std::string> missing;
   for (const std::string& name : names) {
-    if (!is_done(manifest, find_job(manifest, name))) missing.push_back(name);
+    const TileJob& job = find_job(manifest, name);
+    const StoredState state = state_of_job(manifest, job);
+    if (state == StoredState::missing) missing.push_back(name);
+    if (state != StoredState::damaged) continue;
+    throw Error(result_file(manifest, job) +
+                ": this result, or a file that it names, is damaged; make it again" + remedy +
+                name);
   }
   if (missing.empty()) return;
-  throw Error("jobs that come first are not done: " + list(missing) +
-              "; run them with pipeline tiles run " + manifest.file + " JOB");
+  throw Error("jobs that come first are not done: " + list(missing) + "; " +
+              result_file(manifest, find_job(manifest, missing.front())) +
+              " is missing or of another manifest; run them" + remedy + "JOB");
 }
 
-MatchResult matched(const JobManifest& manifest, const TileJob& job, const Pipeline& pipeline,
-                    const RunOptions& options) {
-  auto pair = std::make_shared<const PairInFiles>(manifest.images, jobs_folder(manifest));
-  TiledMatch match(pipeline, {pair, DisparityRange::uniform(pair->size(), manifest.disparities)},
-                   manifest.tiles);
-  match.prepare(options);
-  if (job.place.empty()) {
-    match.match_coarse(options);
-    return match.coarse();
+/// Does a job whose needs are done, and writes its result.
+class JobRun {
+ public:
+  JobRun(const JobManifest& manifest, const TileJob& job, const Pipeline& pipeline,
+         const RunOptions& options)
+      : manifest_(manifest),
+        job_(job),
+        options_(options),
+        match_(pipeline,
+               {std::make_shared<const PairInFiles>(manifest.images, jobs_folder(manifest),
+                                                    manifest.look),
+                DisparityRange::uniform(manifest.size, manifest.disparities)},
+               manifest.tiles) {}
+
+  void run() {
+    if (job_.name == kFit) {
+      const Json found = match_.find_on_whole(options_);
+      write_found(manifest_, job_, found, seconds());
+      return;
+    }
+    const MatchResult result = matched();
+    write_job_result(manifest_, job_, result, seconds());
   }
-  if (match.has_coarse()) {
-    match.use(read_job_result(manifest, find_job(manifest, job.needs.front())));
+
+ private:
+  MatchResult matched() {
+    if (needs(kFit))
+      match_.prepare_with(read_found(manifest_, find_job(manifest_, kFit)), options_);
+    if (job_.name == kCoarse) {
+      match_.match_coarse(options_);
+      return match_.coarse();
+    }
+    if (needs(kCoarse)) match_.use(read_job_result(manifest_, find_job(manifest_, kCoarse)));
+    return {match_.match(job_.place, options_), std::nullopt};
   }
-  return {match.match(job.place, options), std::nullopt};
-}
+
+  bool needs(const std::string& name) const {
+    return std::find(job_.needs.begin(), job_.needs.end(), name) != job_.needs.end();
+  }
+
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  }
+
+  const JobManifest& manifest_;
+  const TileJob& job_;
+  const RunOptions& options_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  TiledMatch match_;
+};
 
 }  // namespace
 
@@ -61,10 +104,7 @@ bool run_job(const JobManifest& manifest, const TileJob& job, const Pipeline& pi
   if (is_done(manifest, job)) return false;
   require_unchanged(manifest);
   require_done(manifest, job.needs);
-  const auto begin = std::chrono::steady_clock::now();
-  const MatchResult result = matched(manifest, job, pipeline, options);
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-  write_job_result(manifest, job, result, taken.count());
+  JobRun(manifest, job, pipeline, options).run();
   return true;
 }
 

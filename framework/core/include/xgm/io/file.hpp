@@ -41,6 +41,9 @@ XGM_API void remove_file(const std::string& file);
 struct FileIdentity {
   std::uint64_t bytes = 0;
   std::string fnv1a64;  ///< 16 hexadecimal digits
+  /// When the file had been modified, ns since 1970; 0 if that was not known, or so short before
+  /// that a later change may bear the same time.
+  std::int64_t modified = 0;
 };
 
 /// 64-bit FNV-1a (Fowler, Noll, Vo). It distinguishes files, but does not protect against forgery.
@@ -49,5 +52,9 @@ XGM_API std::uint64_t fnv1a64(std::string_view bytes);
 XGM_API std::string hash_text(std::string_view bytes);
 /// Size and hash of the content of a file. Throws Error.
 XGM_API FileIdentity identify_file(const std::string& file);
+/// Whether the file is still as it was: of the same size, and modified at the same time or else
+/// with the same hash. A change that keeps both, which takes some effort, is not seen. Throws
+/// Error.
+XGM_API bool is_still(const std::string& file, const FileIdentity& identity);
 
 }  // namespace xgm

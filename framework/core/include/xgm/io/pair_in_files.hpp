@@ -2,6 +2,7 @@
 // A pair of image files that is read by windows.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,6 +14,19 @@
 
 namespace xgm {
 
+/// What a look at all pixels of a pair has found: what its windows need to know of the rest.
+struct PairLook {
+  struct View {
+    bool alpha = false, mask_alpha = false;  ///< whether an alpha channel is filled in
+    /// Larger values than this, and these values, mean no data.
+    double never = std::numeric_limits<double>::infinity();
+    std::vector<double> marks{};
+    double masked_pixels = 0;
+  };
+  View left{}, right{};
+  double offset = 0, gain = 1;  ///< grey level = (value - offset) * gain
+};
+
 /// What read_pair() reads, by windows of the same values, notes and warnings. TIFF is read strip by
 /// strip or tile by tile, as long as none has more than 64 MB; PNG is decoded once into a file
 /// without name, with all rows that are not interlaced, of a palette or of less than 8 bits; all
@@ -22,6 +36,8 @@ class XGM_API PairInFiles final : public PairWindows {
   /// Looks at all pixels once or twice: for damages, what the values range over and what means no
   /// data. Temporary files are made in the folder `scratch`. Throws Error as read_pair() does.
   PairInFiles(const PairFiles& files, const std::string& scratch);
+  /// Looks at nothing, has no notes and no warnings: `look` is that of the same files.
+  PairInFiles(const PairFiles& files, const std::string& scratch, const PairLook& look);
   ~PairInFiles() override;
 
   cv::Size size() const override;
@@ -32,6 +48,7 @@ class XGM_API PairInFiles final : public PairWindows {
   const std::vector<std::string>& warnings() const { return warnings_; }
   /// Share of pixels without data, if there are any or a mask was given.
   std::optional<double> masked_share(bool of_match) const;
+  PairLook look() const;
   /// Bytes of memory that are held from one window to the next.
   double held_bytes() const;
 

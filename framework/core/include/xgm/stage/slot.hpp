@@ -36,6 +36,7 @@ class Slot final : public SlotBase {
   explicit operator bool() const { return stage_ != nullptr; }
   const Kind* operator->() const { return stage_.get(); }
   const Kind& stage() const { return *stage_; }
+  const std::string& plugin() const { return plugin_; }
 
   template <class... Inputs>
   auto operator()(const Context& context, const Inputs&... inputs) const {

@@ -10,16 +10,18 @@
 
 #include "xgm/base/export.hpp"
 #include "xgm/data/map_summary.hpp"
+#include "xgm/io/pair_in_files.hpp"
 #include "xgm/pipeline/scene_inputs.hpp"
 #include "xgm/tiles/tiled_run.hpp"
 
 namespace xgm::tiles {
 
-/// Matches the coarse levels of a pyramid as one image, or one tile.
+/// Looks at the whole scene for what preprocess stages have to know of it, or matches the coarse
+/// levels of a pyramid as one image, or one tile.
 struct TileJob {
-  std::string name;                  ///< "coarse", or "tile_ROW_COLUMN" from 1 on
+  std::string name;                  ///< "fit", "coarse", or "tile_ROW_COLUMN" from 1 on
   std::vector<std::string> needs{};  ///< jobs that come before
-  cv::Rect place{};                  ///< of the tile's part of the map; empty: coarse levels
+  cv::Rect place{};                  ///< of the tile's part of the map; empty: of no tile
   double memory_bytes = 0;           ///< planned, of the whole process
   double seconds = 0;                ///< planned, of matching
 };
@@ -30,6 +32,7 @@ struct JobManifest {
   std::string pipeline{};       ///< resolved
   std::vector<std::string> plugins{};  ///< files that it needs
   PairFiles images{};
+  PairLook look{};                  ///< what was found in the images
   std::vector<InputFile> inputs{};  ///< what is read, by its content
   cv::Size size{};
   Interval disparities{};
