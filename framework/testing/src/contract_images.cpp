@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "contract_support.hpp"
+#include "xgm/base/json.hpp"
 
 namespace xgm::testing {
 
@@ -26,8 +27,8 @@ void check_preprocess_on(Report& report, const Preprocess& stage, const ImagePai
 /// What is fitted to a scene in one process is the same after a way through text to another one.
 void check_restored(Report& report, const Preprocess& stage, const ImagePair& pair) {
   const auto fitted = stage.fitted(PairInMemory(pair), Context{});
-  if (fitted == nullptr || fitted->state().is_null()) return;
-  const auto restored = stage.restored(Json::parse(fitted->state().dump()), pair.size());
+  if (fitted == nullptr || fitted->state().empty()) return;
+  const auto restored = stage.restored(Json::parse(fitted->state()).dump(), pair.size());
   report.expect(restored != nullptr, "restored() does not know the state() of what it has fitted");
   if (restored == nullptr) return;
   const cv::Point origin(3, 2);

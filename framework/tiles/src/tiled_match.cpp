@@ -42,15 +42,15 @@ void TiledMatch::prepare(const RunOptions& options) {
   });
 }
 
-Json TiledMatch::find_on_whole(const RunOptions& options) const {
-  Json found;
+std::string TiledMatch::find_on_whole(const RunOptions& options) const {
+  std::string found;
   pipeline_.in_run(options, [&](const Context& context) {
     found = stereo_family(pipeline_).found_on_whole(request_.pair, context);
   });
   return found;
 }
 
-void TiledMatch::prepare_with(const Json& found, const RunOptions& options) {
+void TiledMatch::prepare_with(const std::string& found, const RunOptions& options) {
   pipeline_.in_run(options, [&](const Context& context) {
     request_.pair = stereo_family(pipeline_).prepared_with(found, request_.pair, context);
   });

@@ -29,8 +29,8 @@ class TiledMatch {
   /// Fits what is fitted to the whole images. Comes first.
   void prepare(const RunOptions& options);
   /// The same in two steps, of which each process but one needs the second alone.
-  Json find_on_whole(const RunOptions& options) const;
-  void prepare_with(const Json& found, const RunOptions& options);
+  std::string find_on_whole(const RunOptions& options) const;
+  void prepare_with(const std::string& found, const RunOptions& options);
 
   /// Whether there are coarse levels, which have to be matched or given before any tile.
   bool has_coarse() const;

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "xgm/base/json.hpp"
 #include "xgm/stage/preprocess.hpp"
 
 namespace xgm::stereo {

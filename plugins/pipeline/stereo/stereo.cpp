@@ -92,8 +92,8 @@ class Stereo final : public xgm::StereoFamily {
 
   bool looks_at_whole() const override { return !stages_.preprocess.empty(); }
 
-  xgm::Json found_on_whole(std::shared_ptr<const xgm::PairWindows> scene,
-                           const xgm::Context& context) const override {
+  std::string found_on_whole(std::shared_ptr<const xgm::PairWindows> scene,
+                             const xgm::Context& context) const override {
     const xgm::Context here = context.scope("preprocess");
     xgm::Json found = xgm::Json::array();
     prepare(std::move(scene), [&](const Stage& stage, const xgm::PairWindows& so_far) {
@@ -101,13 +101,14 @@ class Stereo final : public xgm::StereoFamily {
       found.push_back(xgm::stereo::record_of(stage.plugin(), fitted.get(), here));
       return fitted;
     });
-    return found;
+    return found.dump();
   }
 
   std::shared_ptr<const xgm::PairWindows> prepared_with(
-      const xgm::Json& found, std::shared_ptr<const xgm::PairWindows> scene,
+      const std::string& text, std::shared_ptr<const xgm::PairWindows> scene,
       const xgm::Context& context) const override {
     const xgm::Context here = context.scope("preprocess");
+    const xgm::Json found = xgm::Json::parse(text);
     auto record = found.begin();
     return prepare(std::move(scene), [&](const Stage& stage, const xgm::PairWindows& so_far) {
       if (record == found.end()) throw xgm::Error("nothing was found for '" + stage.plugin() + "'");

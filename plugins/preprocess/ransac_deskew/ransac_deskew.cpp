@@ -7,6 +7,7 @@
 #include "plugins/preprocess/ransac_deskew/key_points.hpp"
 #include "plugins/preprocess/ransac_deskew/row_model.hpp"
 #include "plugins/preprocess/ransac_deskew/warp.hpp"
+#include "xgm/base/json.hpp"
 #include "xgm/plugin.hpp"
 
 namespace {
@@ -63,9 +64,9 @@ class DeskewOfParts final : public xgm::PartPreprocess {
     if (!model_) return part;
     return {part.base, warp_rows(part.match, *model_, origin), part.is_reverse};
   }
-  xgm::Json state() const override {
-    if (!model_) return {{"rows", "left as they are"}};
-    return {{"a", model_->a}, {"b", model_->b}, {"c", model_->c}};
+  std::string state() const override {
+    if (!model_) return xgm::Json{{"rows", "left as they are"}}.dump();
+    return xgm::Json{{"a", model_->a}, {"b", model_->b}, {"c", model_->c}}.dump();
   }
 
  private:
@@ -125,8 +126,9 @@ class RansacDeskew final : public xgm::Preprocess, public xgm::StatesNeeds {
     return std::make_shared<DeskewOfParts>(find_model(scene, context), scene.size());
   }
 
-  std::shared_ptr<const xgm::PartPreprocess> restored(const xgm::Json& state,
+  std::shared_ptr<const xgm::PartPreprocess> restored(const std::string& text,
                                                       cv::Size scene) const override {
+    const xgm::Json state = xgm::Json::parse(text);
     if (state.contains("rows")) return std::make_shared<DeskewOfParts>(std::nullopt, scene);
     for (const char* name : {"a", "b", "c"}) {
       if (!state.contains(name) || !state.at(name).is_number()) return nullptr;

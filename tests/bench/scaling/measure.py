@@ -4,6 +4,7 @@
 Seconds are those of the processor, with one thread: what else the machine does matters little.
 
     measure.py PROGRAM LEFT RIGHT DISPARITIES WORK_DIR [--tile 1000] [--pipeline tmgm16_refined]
+        [--first-jobs-only]
 """
 import argparse
 import json
@@ -20,47 +21,65 @@ def processor_seconds(*command):
 
 
 def plan(options, work, tile, *more):
+    """The manifest, and what planning took."""
     pair = ["--left", options.left, "--right", options.right, "--threads", 1]
-    command = [options.program, "tiles", "plan", *more, *pair, "--tiles", f"{tile}x{tile}"]
-    subprocess.run([str(part) for part in [*command, "-o", work]], check=True)
-    return json.loads((work / "manifest.json").read_text())
+    seconds = processor_seconds(options.program, "tiles", "plan", *more, *pair,
+                                "--tiles", f"{tile}x{tile}", "-o", work)
+    return json.loads((work / "manifest.json").read_text()), seconds
 
 
 def job_seconds(options, work, name):
     return processor_seconds(options.program, "tiles", "run", work / "manifest.json", name)
 
 
-def look_seconds(options, preprocess):
-    """Of a job that matches next to nothing: one disparity of the smallest tile."""
-    work = options.work / ("look_" + (preprocess or "plain"))
-    arguments = ["sgm8", "--disparities", "0:0", "--set", f"preprocess=[{preprocess}]"]
-    plan(options, work, 64, *arguments)
-    return job_seconds(options, work, "tile_1_1")
+def idle_seconds(options, name, *arguments):
+    """Of the jobs before the tiles, and of a tile, that match next to nothing: one disparity, in the
+    smallest tile."""
+    work = options.work / name
+    manifest, _ = plan(options, work, 64, *arguments, "--disparities", "0:0")
+    last = manifest["jobs"][-1]
+    seconds = {before: job_seconds(options, work, before) for before in last["needs"]}
+    return {**seconds, "tile": job_seconds(options, work, last["name"])}
+
+
+def tiles_measured(options, work, jobs, idle):
+    """Seconds of the tiles for each of their megapixels, and of the join."""
+    tiles = [job for job in jobs if "place" in job]
+    areas = [job["place"][2] * job["place"][3] / 1e6 for job in tiles]
+    seconds = [job_seconds(options, work, job["name"]) - idle for job in tiles]
+    join = processor_seconds(options.program, "tiles", "join", work / "manifest.json")
+    return {
+        "tile_seconds_per_megapixel": [own / area for own, area in zip(seconds, areas)],
+        "join_seconds": join,
+    }
 
 
 def measure(options):
     work = options.work / "matched"
-    manifest = plan(options, work, options.tile, options.pipeline, "--disparities",
-                    options.disparities)
+    arguments = [options.pipeline, "--disparities", options.disparities]
+    manifest, planning = plan(options, work, options.tile, *arguments)
     megapixels = manifest["size"][0] * manifest["size"][1] / 1e6
-    start = processor_seconds(options.program, "--version")
-    look = look_seconds(options, "ransac_deskew")
-    plain = look_seconds(options, "")
-    coarse = job_seconds(options, work, "coarse")
-    tiles = [job for job in manifest["jobs"] if "place" in job]
-    seconds = [job_seconds(options, work, job["name"]) - look for job in tiles]
-    areas = [job["place"][2] * job["place"][3] / 1e6 for job in tiles]
-    join = processor_seconds(options.program, "tiles", "join", work / "manifest.json")
-    return {
+    idle_coarse = {
+        name: idle_seconds(options, name, "tsgm8", "--set", f"preprocess=[{stages}]")["coarse"]
+        for name, stages in (("ransac_deskew", "ransac_deskew"), ("none", ""))
+    }
+    # A pyramid of two levels, whose coarse maps have a quarter of the pixels.
+    with_maps = idle_seconds(options, "maps", "tsgm8", "--set", "matcher.scale=2")["tile"]
+    flat = idle_seconds(options, "flat", "sgm8")["tile"]
+    firsts = [job["name"] for job in manifest["jobs"] if "place" not in job]
+    measured = {
         "megapixels": megapixels,
-        "start_seconds": start,
-        "look_seconds": look,
-        "look_seconds_without_deskew": plain,
-        "coarse_seconds_after_look": coarse - look,
-        "tile_seconds_after_look_per_megapixel": [s / a for s, a in zip(seconds, areas)],
-        "join_seconds": join,
+        "plan_seconds": planning,
+        "start_seconds": processor_seconds(options.program, "--version"),
+        "idle_tile_seconds": flat,
+        "seconds_per_coarse_megapixel": (with_maps - flat) / (megapixels / 4),
+        "idle_coarse_seconds": idle_coarse,
+        **{name + "_seconds": job_seconds(options, work, name) for name in firsts},
         "image_bytes": sum(Path(file).stat().st_size for file in (options.left, options.right)),
     }
+    if not options.first_jobs_only:
+        measured.update(tiles_measured(options, work, manifest["jobs"], flat))
+    return measured
 
 
 def main():
@@ -70,6 +89,7 @@ def main():
     parser.add_argument("work", type=Path)
     parser.add_argument("--tile", type=int, default=1000)
     parser.add_argument("--pipeline", default="tmgm16_refined")
+    parser.add_argument("--first-jobs-only", action="store_true", help="no tiles, no join")
     print(json.dumps(measure(parser.parse_args()), indent=2))
 
 

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """How the time of a scene in tiles falls with the number of workers, by simulation.
 
-A run is `coarse`, then all tiles, then the join. A job waits for its turn at the scheduler, then for
-a worker; its node fetches the images from the file server once, which all nodes share; the job looks
-at all of the images, matches its window, and writes its part. What jobs take was measured
-(measured.json), what a cluster adds is assumed (cluster in the same file). Nothing else is in the
-model: no other users, no failing nodes.
+A run is `fit`, which looks at the whole scene, `coarse`, then all tiles, then the join. A job waits for
+its turn at the scheduler, then for a worker; its node fetches the images from the file server once,
+which all nodes share; a tile reads the coarse maps, matches its window, and writes its part. What jobs
+take was measured (measured.json), what a cluster adds is assumed (cluster in the same file). Nothing
+else is in the model: no other users, no failing nodes, and not the plan, which comes before.
 
     simulate.py [--megapixels 6,100,400] [--workers 1,16,128,1000] [--preprocess none]
 """
@@ -24,7 +24,7 @@ HERE = Path(__file__).resolve().parent
 class Result:
     seconds: float  # from the first job's begin to the end of the join
     worker_seconds: float  # that jobs take together, fetching included
-    parts: dict  # seconds of the run until coarse, tiles and join have ended
+    parts: dict  # seconds of the run that fit and coarse, tiles and join take
 
 
 class FileServer:
@@ -79,10 +79,22 @@ def tile_seconds(inputs, megapixels, tiles, seed):
     return seconds
 
 
-def look_seconds(inputs, megapixels, preprocess):
-    """What each job does before it matches: start, hashes of the images, looks at all pixels."""
-    job = inputs["job"]
-    return job["start_seconds"] + job["look_seconds_per_megapixel"][preprocess] * megapixels
+def fit_seconds(inputs, megapixels, preprocess):
+    """Of what is looked for in the whole scene before anything is matched."""
+    return inputs["fit"]["seconds_per_megapixel"] * megapixels if preprocess != "none" else 0.0
+
+
+def coarse_seconds(inputs, megapixels, preprocess):
+    """All of the images is read and made smaller, also changed as preprocess says; then matched."""
+    coarse = inputs["coarse"]
+    reading = coarse["seconds_per_megapixel_read"][preprocess] * megapixels
+    return reading + coarse["seconds_per_megapixel"] * coarse_megapixels(megapixels, coarse)
+
+
+def before_tile_seconds(inputs, megapixels):
+    """Of each tile beside its matching: the program starts, and reads the coarse maps."""
+    small = coarse_megapixels(megapixels, inputs["coarse"])
+    return inputs["job"]["seconds_of_tile"] + inputs["job"]["seconds_per_coarse_megapixel"] * small
 
 
 def run_jobs(seconds, workers, begin, inputs, fetch_bytes, server):
@@ -111,28 +123,31 @@ def run_jobs(seconds, workers, begin, inputs, fetch_bytes, server):
 def simulate(inputs, megapixels, workers, preprocess="ransac_deskew", seed=1):
     tiles = tile_count(megapixels, inputs["tile"]["side"])
     image_bytes = inputs["job"]["image_bytes_per_megapixel"] * megapixels
-    look = look_seconds(inputs, megapixels, preprocess)
+    start = inputs["job"]["start_seconds"]
     server = FileServer(inputs["cluster"])
-    small = coarse_megapixels(megapixels, inputs["coarse"])
-    coarse = look + inputs["coarse"]["seconds_per_megapixel"] * small
-    coarse_end, spent = run_jobs([coarse], 1, 0.0, inputs, image_bytes, server)
-    jobs = [look + own for own in tile_seconds(inputs, megapixels, tiles, seed)]
-    tiles_end, spent_by_tiles = run_jobs(jobs, workers, coarse_end, inputs, image_bytes, server)
-    join = inputs["job"]["start_seconds"] + inputs["join"]["seconds_per_megapixel"] * megapixels
+    first = [start + coarse_seconds(inputs, megapixels, preprocess)]
+    if preprocess != "none":
+        first.insert(0, start + fit_seconds(inputs, megapixels, preprocess))
+    first_end, spent = run_jobs(first, 1, 0.0, inputs, image_bytes, server)
+    before = before_tile_seconds(inputs, megapixels)
+    jobs = [before + own for own in tile_seconds(inputs, megapixels, tiles, seed)]
+    tiles_end, spent_by_tiles = run_jobs(jobs, workers, first_end, inputs, image_bytes, server)
+    join = start + inputs["join"]["seconds_per_megapixel"] * megapixels
     end = tiles_end + join
     return Result(
         seconds=end,
         worker_seconds=spent + spent_by_tiles + join,
-        parts={"coarse": coarse_end, "tiles": tiles_end - coarse_end, "join": join},
+        parts={"first": first_end, "tiles": tiles_end - first_end, "join": join},
     )
 
 
 def one_process_seconds(inputs, megapixels, preprocess="ransac_deskew"):
-    """Of `pipeline run --tiles` with one thread, which looks at the images once and joins nothing."""
-    small = coarse_megapixels(megapixels, inputs["coarse"])
-    coarse = inputs["coarse"]["seconds_per_megapixel"] * small
+    """Of `pipeline run --tiles` with one thread, which looks at the images itself and joins nothing."""
+    looks = inputs["plan"]["seconds_per_megapixel"] * megapixels
+    looks += fit_seconds(inputs, megapixels, preprocess)
+    coarse = coarse_seconds(inputs, megapixels, preprocess)
     tiles = inputs["tile"]["seconds_per_megapixel"] * megapixels
-    return look_seconds(inputs, megapixels, preprocess) + coarse + tiles
+    return inputs["job"]["start_seconds"] + looks + coarse + tiles
 
 
 def numbers(text):
@@ -146,9 +161,9 @@ def main():
     parser.add_argument("--workers", type=numbers, default=[1, 16, 128, 1000])
     parser.add_argument(
         "--preprocess",
-        choices=["ransac_deskew", "none", "kept"],
+        choices=["ransac_deskew", "none"],
         default="ransac_deskew",
-        help="what is done to the images; kept: as if no job had to look at more than its window",
+        help="what is done to the images",
     )
     options = parser.parse_args()
     inputs = json.loads(Path(options.inputs).read_text())
@@ -157,7 +172,9 @@ def main():
     print("|---:" * len(head) + "|")
     for megapixels in options.megapixels:
         one = one_process_seconds(inputs, megapixels, options.preprocess)
-        row = [f"{megapixels:g}", tile_count(megapixels, inputs["tile"]["side"]) + 2, f"{one:.0f} s"]
+        jobs = tile_count(megapixels, inputs["tile"]["side"]) + 2
+        jobs += options.preprocess != "none"
+        row = [f"{megapixels:g}", jobs, f"{one:.0f} s"]
         for workers in map(int, options.workers):
             run = simulate(inputs, megapixels, workers, options.preprocess)
             parts = " + ".join(f"{part:.0f}" for part in run.parts.values())

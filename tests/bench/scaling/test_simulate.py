@@ -50,18 +50,23 @@ class Model(unittest.TestCase):
         self.assertAlmostEqual(ends(inputs, [1.0] * 6, 2, 100)[0], 4, places=5)
         self.assertAlmostEqual(ends(inputs, [1.0] * 4, 4, 100)[0], 3, places=5)
 
-    def test_a_run_is_coarse_then_tiles_then_join(self):
+    def test_a_run_is_fit_and_coarse_then_tiles_then_join(self):
         inputs = plain()
-        run = simulate.simulate(inputs, 100, 1)
-        look = simulate.look_seconds(inputs, 100, "ransac_deskew")
-        tiles = simulate.tile_count(100, inputs["tile"]["side"])
-        coarse = look + inputs["coarse"]["seconds_per_megapixel"] * 100 / 8**2
-        join = inputs["job"]["start_seconds"] + inputs["join"]["seconds_per_megapixel"] * 100
-        matching = tiles * look + inputs["tile"]["seconds_per_megapixel"] * 100
-        self.assertAlmostEqual(run.parts["coarse"], coarse, places=4)
-        self.assertAlmostEqual(run.parts["tiles"], matching, places=4)
-        self.assertAlmostEqual(run.seconds, coarse + matching + join, places=4)
-        self.assertAlmostEqual(run.worker_seconds, run.seconds, places=4)
+        for preprocess in ("ransac_deskew", "none"):
+            run = simulate.simulate(inputs, 100, 1, preprocess)
+            start = inputs["job"]["start_seconds"]
+            first = start + simulate.coarse_seconds(inputs, 100, preprocess)
+            if preprocess != "none":
+                first += start + inputs["fit"]["seconds_per_megapixel"] * 100
+            tiles = simulate.tile_count(100, inputs["tile"]["side"])
+            join = start + inputs["join"]["seconds_per_megapixel"] * 100
+            job = inputs["job"]
+            before = job["seconds_of_tile"] + job["seconds_per_coarse_megapixel"] * 100 / 8**2
+            matching = tiles * before + inputs["tile"]["seconds_per_megapixel"] * 100
+            self.assertAlmostEqual(run.parts["first"], first, places=4)
+            self.assertAlmostEqual(run.parts["tiles"], matching, places=4)
+            self.assertAlmostEqual(run.seconds, first + matching + join, places=4)
+            self.assertAlmostEqual(run.worker_seconds, run.seconds, places=4)
 
     def test_the_measured_run_is_the_same_each_time_and_no_slower_with_more_workers(self):
         runs = [simulate.simulate(MEASURED, 400, workers).seconds for workers in (1, 16, 128)]
@@ -74,13 +79,14 @@ class Model(unittest.TestCase):
         for megapixels, small in ((1, 1 / 4), (16, 4), (17, 17 / 16), (1000, 1000 / 64)):
             self.assertEqual(simulate.coarse_megapixels(megapixels, coarse), small)
 
-    def test_one_process_looks_once_where_jobs_look_each(self):
+    def test_one_worker_takes_no_longer_than_one_process_but_for_starts_coarse_maps_and_the_join(self):
         inputs = plain()
         jobs = simulate.simulate(inputs, 100, 1)
-        look = simulate.look_seconds(inputs, 100, "ransac_deskew")
         tiles = simulate.tile_count(100, inputs["tile"]["side"])
-        one = simulate.one_process_seconds(inputs, 100)
-        self.assertAlmostEqual(jobs.seconds - jobs.parts["join"] - one, tiles * look, places=3)
+        plan = inputs["plan"]["seconds_per_megapixel"] * 100
+        one = simulate.one_process_seconds(inputs, 100) - plan
+        more = tiles * simulate.before_tile_seconds(inputs, 100) + inputs["job"]["start_seconds"]
+        self.assertAlmostEqual(jobs.seconds - jobs.parts["join"] - one, more, places=3)
 
     def test_square_images_are_cut_into_squares(self):
         self.assertEqual(simulate.tile_count(100, 2000), 25)

@@ -142,8 +142,9 @@ class Forgetful final : public Preprocess {
   std::shared_ptr<const PartPreprocess> fitted(const PairWindows&, const Context&) const override {
     return std::make_shared<Part>(1, lost_);
   }
-  std::shared_ptr<const PartPreprocess> restored(const Json& state, cv::Size) const override {
-    return lost_ < 1 ? std::make_shared<Part>(state.number(), lost_) : nullptr;
+  std::shared_ptr<const PartPreprocess> restored(const std::string& state,
+                                                 cv::Size) const override {
+    return lost_ < 1 ? std::make_shared<Part>(std::stod(state), lost_) : nullptr;
   }
 
  private:
@@ -155,7 +156,7 @@ class Forgetful final : public Preprocess {
       for (cv::Mat1f& plane : result.match.planes) plane = cv::Mat1f(plane + level_);
       return result;
     }
-    Json state() const override { return level_ - lost_; }
+    std::string state() const override { return std::to_string(level_ - lost_); }
     double level_, lost_;
   };
   double lost_;

@@ -7,6 +7,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "framework/tiles/job_desk.hpp"
+#include "xgm/base/json.hpp"
 
 using namespace xgm;
 using namespace xgm::tiles;
@@ -38,8 +39,9 @@ class Brighten final : public Preprocess {
     cv::minMaxIdx(scene.read({{}, scene.size()}).match.planes.front(), &low);
     return std::make_shared<Part>(low / 3, hands_on_);
   }
-  std::shared_ptr<const PartPreprocess> restored(const Json& state, cv::Size) const override {
-    return std::make_shared<Part>(state.at("level").number(), hands_on_);
+  std::shared_ptr<const PartPreprocess> restored(const std::string& state,
+                                                 cv::Size) const override {
+    return std::make_shared<Part>(Json::parse(state).at("level").number(), hands_on_);
   }
 
  private:
@@ -51,7 +53,7 @@ class Brighten final : public Preprocess {
       for (cv::Mat1f& plane : result.match.planes) plane = cv::Mat1f(plane + level_);
       return result;
     }
-    Json state() const override { return hands_on_ ? Json{{"level", level_}} : Json(); }
+    std::string state() const override { return hands_on_ ? Json{{"level", level_}}.dump() : ""; }
     double level_;
     bool hands_on_;
   };

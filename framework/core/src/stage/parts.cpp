@@ -7,13 +7,13 @@ namespace xgm {
 
 PartPreprocess::~PartPreprocess() = default;
 
-Json PartPreprocess::state() const { return {}; }
+std::string PartPreprocess::state() const { return {}; }
 
 std::shared_ptr<const PartPreprocess> Preprocess::fitted(const PairWindows&, const Context&) const {
   return nullptr;
 }
 
-std::shared_ptr<const PartPreprocess> Preprocess::restored(const Json&, cv::Size) const {
+std::shared_ptr<const PartPreprocess> Preprocess::restored(const std::string&, cv::Size) const {
   return nullptr;
 }
 
@@ -22,12 +22,12 @@ std::shared_ptr<const PairWindows> StereoFamily::prepared(std::shared_ptr<const 
   return scene;
 }
 
-Json StereoFamily::found_on_whole(std::shared_ptr<const PairWindows>, const Context&) const {
-  return {};
+std::string StereoFamily::found_on_whole(std::shared_ptr<const PairWindows>, const Context&) const {
+  return "null";
 }
 
 std::shared_ptr<const PairWindows> StereoFamily::prepared_with(
-    const Json&, std::shared_ptr<const PairWindows> scene, const Context& context) const {
+    const std::string&, std::shared_ptr<const PairWindows> scene, const Context& context) const {
   return prepared(std::move(scene), context);
 }
 

@@ -5,6 +5,7 @@
 
 #include "tiled_match.hpp"
 #include "xgm/base/error.hpp"
+#include "xgm/base/json.hpp"
 #include "xgm/base/memory.hpp"
 #include "xgm/io/file.hpp"
 #include "xgm/io/output_folder.hpp"
@@ -61,8 +62,9 @@ MatchResult read_job_result(const JobManifest& manifest, const TileJob& job) {
   return read_result(jobs_folder(manifest), job.name);
 }
 
-void write_found(const JobManifest& manifest, const TileJob& job, const Json& found,
+void write_found(const JobManifest& manifest, const TileJob& job, const std::string& text,
                  double seconds) {
+  const Json found = Json::parse(text);
   make_output_folder(jobs_folder(manifest));
   Json record = {{"question", question_hash(manifest)},
                  {"found", found},
@@ -73,8 +75,8 @@ void write_found(const JobManifest& manifest, const TileJob& job, const Json& fo
   sync_file(file);
 }
 
-Json read_found(const JobManifest& manifest, const TileJob& job) {
-  return Json::parse(read_file(result_file(manifest, job))).at("found");
+std::string read_found(const JobManifest& manifest, const TileJob& job) {
+  return Json::parse(read_file(result_file(manifest, job))).at("found").dump();
 }
 
 }  // namespace xgm::tiles

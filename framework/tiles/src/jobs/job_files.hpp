@@ -4,7 +4,6 @@
 
 #include <string>
 
-#include "xgm/base/json.hpp"
 #include "xgm/io/stored_result.hpp"
 #include "xgm/tiles/jobs.hpp"
 
@@ -28,9 +27,9 @@ void write_job_result(const JobManifest& manifest, const TileJob& job, const Mat
 /// Of a job that is done. Throws Error.
 MatchResult read_job_result(const JobManifest& manifest, const TileJob& job);
 
-/// The same of the job that looks at the whole scene: what it has found.
-void write_found(const JobManifest& manifest, const TileJob& job, const Json& found,
+/// The same of the job that looks at the whole scene: what it has found, as JSON.
+void write_found(const JobManifest& manifest, const TileJob& job, const std::string& found,
                  double seconds);
-Json read_found(const JobManifest& manifest, const TileJob& job);
+std::string read_found(const JobManifest& manifest, const TileJob& job);
 
 }  // namespace xgm::tiles

@@ -62,7 +62,7 @@ class JobRun {
 
   void run() {
     if (job_.name == kFit) {
-      const Json found = match_.find_on_whole(options_);
+      const std::string found = match_.find_on_whole(options_);
       write_found(manifest_, job_, found, seconds());
       return;
     }

@@ -5,9 +5,9 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 
-#include "xgm/base/json.hpp"
 #include "xgm/data/pair_windows.hpp"
 #include "xgm/stage/context.hpp"
 #include "xgm/stage/stage.hpp"
@@ -45,11 +45,11 @@ class XGM_API StereoFamily : public PipelineFamily {
                                                       const Context& context) const;
 
   /// For parts that are matched by many processes: whether prepared() may look at the whole scene,
-  /// what it finds there, and what it returns, to the last bit, once that is known.
+  /// what it finds there, as JSON, and what it returns, to the last bit, once that is known.
   virtual bool looks_at_whole() const { return false; }
-  virtual Json found_on_whole(std::shared_ptr<const PairWindows> scene,
-                              const Context& context) const;
-  virtual std::shared_ptr<const PairWindows> prepared_with(const Json& found,
+  virtual std::string found_on_whole(std::shared_ptr<const PairWindows> scene,
+                                     const Context& context) const;
+  virtual std::shared_ptr<const PairWindows> prepared_with(const std::string& found,
                                                            std::shared_ptr<const PairWindows> scene,
                                                            const Context& context) const;
 };

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
-#include "xgm/base/json.hpp"
 #include "xgm/data/pair_windows.hpp"
 #include "xgm/stage/context.hpp"
 #include "xgm/stage/stage.hpp"
@@ -19,9 +19,9 @@ class XGM_API PartPreprocess {
   virtual int margin() const = 0;
   /// `origin`: where the part lies in the scene.
   virtual ImagePair run(const ImagePair& part, cv::Point origin) const = 0;
-  /// What Preprocess::restored() makes the same of in another process. Null, the default: nothing
-  /// does, so that each process looks at the whole scene.
-  virtual Json state() const;
+  /// What Preprocess::restored() makes the same of in another process, as JSON. Empty, the default:
+  /// nothing does, so that each process looks at the whole scene.
+  virtual std::string state() const;
 };
 
 class XGM_API Preprocess : public Stage {
@@ -38,7 +38,8 @@ class XGM_API Preprocess : public Stage {
                                                        const Context& context) const;
   /// What fitted() returned for a scene of this size when its state() was this one: the same to the
   /// last bit. Null, the default, if it is no state of this stage.
-  virtual std::shared_ptr<const PartPreprocess> restored(const Json& state, cv::Size scene) const;
+  virtual std::shared_ptr<const PartPreprocess> restored(const std::string& state,
+                                                         cv::Size scene) const;
 
   /// What every result is looked at for in a run: sizes, planes, levels and view.
   static std::optional<Fault> fault_of(const ImagePair& result, const ImagePair& pair,
