@@ -27,19 +27,25 @@ cv::Mat1f framed(const cv::Mat1f& grey, const Image& image) {
 /// A bit for each neighbour within 7x7 pixels that is darker than the pixel; 0 for those without
 /// data, as comparisons with NaN are false.
 std::vector<std::uint64_t> census(const cv::Mat1f& grey, const Image& image) {
+  constexpr int kSide = 2 * kCensusRadius + 1;
   const cv::Mat1f frame = framed(grey, image);
   const auto width = static_cast<std::size_t>(grey.cols);
   std::vector<std::uint64_t> bits(grey.total(), 0);
   parallel_for(0, grey.rows, [&](int y) {
     std::uint64_t* const row = bits.data() + static_cast<std::size_t>(y) * width;
     const float* const centre = frame[y + kCensusRadius] + kCensusRadius;
-    for (int dy = 0; dy <= 2 * kCensusRadius; ++dy) {
-      for (int dx = 0; dx <= 2 * kCensusRadius; ++dx) {
-        const float* const neighbour = frame[y + dy] + dx;
-        for (std::size_t x = 0; x < width; ++x) {
-          row[x] = 2 * row[x] + (neighbour[x] < centre[x] ? 1U : 0U);
+    // A row of neighbours at a time, in as many bits as a level has: so the loop has vectors.
+    std::vector<std::uint32_t> some(width);
+    for (int dy = 0; dy < kSide; ++dy) {
+      const float* const neighbour = frame[y + dy];
+      for (std::size_t x = 0; x < width; ++x) {
+        std::uint32_t darker = 0;
+        for (int dx = 0; dx < kSide; ++dx) {
+          darker = 2 * darker + (neighbour[x + static_cast<std::size_t>(dx)] < centre[x] ? 1U : 0U);
         }
+        some[x] = darker;
       }
+      for (std::size_t x = 0; x < width; ++x) row[x] = row[x] << kSide | some[x];
     }
   });
   return bits;

@@ -1,21 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Paths as recurrences: what a pixel sees along a step is itself, or else what the pixel one step
-// ahead sees. Swept from the far end, each direction takes one pass over the map.
+// Paths as recurrences: what a hole sees along a step is the pixel one step ahead, or else what
+// that one sees.
 #include "plugins/filter/plane_filling/candidates.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "xgm/base/parallel.hpp"
 
 namespace xgm::plane_filling {
 namespace {
-
-constexpr std::size_t kDirections = 8;
-const std::array<cv::Point, kDirections> kSteps{
-    {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, 1}, {1, -1}, {-1, -1}}};
 
 /// The first pixel with a disparity on a path, and the colour differences on the way to it.
 struct Seen {
@@ -23,64 +20,50 @@ struct Seen {
   float path = 0;
 };
 
-void number_holes(const DisparityMap& map, const Image& image, Holes& holes) {
-  holes.number = cv::Mat1i(map.size(), -1);
-  for (int y = 0; y < map.size().height; ++y) {
-    for (int x = 0; x < map.size().width; ++x) {
-      const bool hole = !map.has_disparity(y, x) && map.at(y, x) != Status::masked;
-      if (!hole || !image.is_valid(y, x)) continue;
-      holes.number(y, x) = static_cast<int>(holes.at.size());
-      holes.at.emplace_back(x, y);
-    }
-  }
-}
-
-/// What each hole sees along `step`.
-std::vector<Seen> look(const DisparityMap& map, const Image& image, const Holes& holes,
-                       cv::Point step) {
-  const cv::Rect inside({}, map.size());
-  const auto width = static_cast<std::size_t>(map.size().width);
-  std::vector<Seen> last_row(width), row(width), seen(holes.at.size());
-  for (int i = 0; i < map.size().height; ++i) {
-    const int y = step.y > 0 ? map.size().height - 1 - i : i;
-    for (int j = 0; j < map.size().width; ++j) {
-      const int x = step.x > 0 ? map.size().width - 1 - j : j;
-      const cv::Point here(x, y), ahead = here + step;
-      Seen& what = row[static_cast<std::size_t>(x)];
-      if (map.has_disparity(y, x) && image.is_valid(y, x)) {
-        what = {x, y, 0};
-        continue;
-      }
-      if (!inside.contains(ahead)) {
-        what = {};
-        continue;
-      }
-      what = (step.y == 0 ? row : last_row)[static_cast<std::size_t>(ahead.x)];
-      if (image.is_valid(y, x) && image.is_valid(ahead.y, ahead.x)) {
-        what.path += colour_distance(image, here, ahead);
-      }
-      const int hole = holes.number(y, x);
-      if (hole >= 0) seen[static_cast<std::size_t>(hole)] = what;
-    }
-    std::swap(row, last_row);
+/// What each hole sees along step k.
+std::vector<Seen> look(const Holes& holes, std::size_t k) {
+  const cv::Rect inside({}, holes.number.size());
+  const bool ascending = k < kDirections / 2;  // the hole ahead comes earlier
+  const std::size_t count = holes.at.size();
+  std::vector<Seen> seen(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t hole = ascending ? i : count - 1 - i;
+    const cv::Point ahead = holes.at[hole] + kSteps[k];
+    if (!inside.contains(ahead)) continue;
+    const int number = holes.number(ahead);
+    seen[hole] = number < 0 ? Seen{ahead.x, ahead.y} : seen[static_cast<std::size_t>(number)];
+    seen[hole].path += holes.distance[hole][k];
   }
   return seen;
+}
+
+struct Interval {
+  float lowest = std::numeric_limits<float>::infinity(), highest = -lowest;
+};
+
+Interval disparities_of(const DisparityMap& map) {
+  std::vector<Interval> rows(static_cast<std::size_t>(map.size().height));
+  parallel_for(0, map.size().height, [&](int y) {
+    Interval& row = rows[static_cast<std::size_t>(y)];
+    for (int x = 0; x < map.size().width; ++x) {
+      if (!map.has_disparity(y, x)) continue;
+      row.lowest = std::min(row.lowest, map.disparity(y, x));
+      row.highest = std::max(row.highest, map.disparity(y, x));
+    }
+  });
+  Interval all;
+  for (const Interval& row : rows) {
+    all = {std::min(all.lowest, row.lowest), std::max(all.highest, row.highest)};
+  }
+  return all;
 }
 
 /// Collects the candidates of one hole.
 class Collector {
  public:
   Collector(const DisparityMap& map, const Segments& segments,
-            const std::vector<std::optional<Plane>>& planes)
-      : map_(map), segments_(segments), planes_(planes) {
-    for (int y = 0; y < map.size().height; ++y) {
-      for (int x = 0; x < map.size().width; ++x) {
-        if (!map.has_disparity(y, x)) continue;
-        lowest_ = std::min(lowest_, map.disparity(y, x));
-        highest_ = std::max(highest_, map.disparity(y, x));
-      }
-    }
-  }
+            const std::vector<std::optional<Plane>>& planes, const Interval& possible)
+      : map_(map), segments_(segments), planes_(planes), possible_(possible) {}
 
   void begin(cv::Point hole, float doubted) {
     hole_ = hole;
@@ -107,13 +90,13 @@ class Collector {
  private:
   bool is_possible(const Plane& plane) const {
     const float disparity = plane.at(hole_.y, hole_.x);
-    return lowest_ <= disparity && disparity <= highest_;
+    return possible_.lowest <= disparity && disparity <= possible_.highest;
   }
   void add(const Plane& plane, float path) {
     for (std::size_t i = 0; i < count_; ++i) {
       const Plane& other = list_[i].plane;
-      const bool same = other.along_x == plane.along_x && other.along_y == plane.along_y &&
-                        other.offset == plane.offset;
+      const bool same = other.offset == plane.offset && other.along_x == plane.along_x &&
+                        other.along_y == plane.along_y;
       if (!same) continue;
       list_[i].path = std::min(list_[i].path, path);
       return;
@@ -124,33 +107,46 @@ class Collector {
   const DisparityMap& map_;
   const Segments& segments_;
   const std::vector<std::optional<Plane>>& planes_;
-  float lowest_ = std::numeric_limits<float>::infinity(), highest_ = -lowest_;
+  Interval possible_;
   cv::Point hole_;
-  std::array<Candidate, kDirections + 2> list_;
+  std::array<Candidate, kMostCandidates> list_;
   std::size_t count_ = 0;
 };
 
 }  // namespace
 
-Holes find_candidates(const DisparityMap& map, const cv::Mat1f& doubted, const Image& image,
-                      const Segments& segments, const std::vector<std::optional<Plane>>& planes) {
-  Holes holes;
-  number_holes(map, image, holes);
+CandidateLists find_candidates(const Holes& holes, const DisparityMap& map,
+                               const cv::Mat1f& doubted, const Segments& segments,
+                               const std::vector<std::optional<Plane>>& planes) {
   std::array<std::vector<Seen>, kDirections> seen;
   parallel_for(0, static_cast<int>(kDirections), [&](int i) {
     const auto k = static_cast<std::size_t>(i);
-    seen[k] = look(map, image, holes, kSteps[k]);
+    seen[k] = look(holes, k);
   });
-  Collector collector(map, segments, planes);
-  holes.begin.push_back(0);
-  for (std::size_t hole = 0; hole < holes.at.size(); ++hole) {
-    collector.begin(holes.at[hole], doubted(holes.at[hole]));
-    for (const std::vector<Seen>& along : seen) collector.offer(along[hole]);
-    const std::span<const Candidate> found = collector.found();
-    holes.candidates.insert(holes.candidates.end(), found.begin(), found.end());
-    holes.begin.push_back(holes.candidates.size());
+  const Interval possible = disparities_of(map);
+  const std::size_t count = holes.at.size();
+  CandidateLists candidates{std::vector<std::size_t>(count + 1, 0), {}};
+  // Each part of the holes collects its own, and the parts are put one behind the other.
+  constexpr std::size_t kPart = 4096;
+  std::vector<std::vector<Candidate>> parts((count + kPart - 1) / kPart);
+  parallel_for(0, static_cast<int>(parts.size()), [&](int i) {
+    const auto part = static_cast<std::size_t>(i);
+    Collector collector(map, segments, planes, possible);
+    for (std::size_t hole = part * kPart; hole < std::min(count, (part + 1) * kPart); ++hole) {
+      if (holes.is_filled[hole] == 0) continue;
+      collector.begin(holes.at[hole], doubted(holes.at[hole]));
+      for (const std::vector<Seen>& along : seen) collector.offer(along[hole]);
+      const std::span<const Candidate> found = collector.found();
+      parts[part].insert(parts[part].end(), found.begin(), found.end());
+      candidates.begin[hole + 1] = found.size();
+    }
+  });
+  std::partial_sum(candidates.begin.begin(), candidates.begin.end(), candidates.begin.begin());
+  candidates.all.reserve(candidates.begin.back());
+  for (const std::vector<Candidate>& part : parts) {
+    candidates.all.insert(candidates.all.end(), part.begin(), part.end());
   }
-  return holes;
+  return candidates;
 }
 
 }  // namespace xgm::plane_filling

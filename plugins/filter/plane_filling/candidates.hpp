@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "plugins/filter/plane_filling/holes.hpp"
 #include "plugins/filter/plane_filling/planes.hpp"
 
 namespace xgm::plane_filling {
@@ -18,27 +19,26 @@ struct Candidate {
       path;  ///< sum of the colour differences on the way to where the plane was found, grey levels
 };
 
-/// The pixels to fill, row by row, with their candidates: those of hole i have the numbers from
-/// begin[i] to begin[i + 1].
-struct Holes {
-  std::vector<cv::Point> at;
-  cv::Mat1i number;  ///< of a pixel among the holes; -1: is none
+/// Of one hole: from each direction, of its own segment, and what it had.
+inline constexpr std::size_t kMostCandidates = kDirections + 2;
+
+/// Those of hole i have the numbers from begin[i] to begin[i + 1].
+struct CandidateLists {
   std::vector<std::size_t> begin;
-  std::vector<Candidate> candidates;
+  std::vector<Candidate> all;
 
   std::span<const Candidate> of(std::size_t hole) const {
-    return {candidates.data() + begin[hole], begin[hole + 1] - begin[hole]};
+    return {all.data() + begin[hole], begin[hole + 1] - begin[hole]};
   }
 };
 
-/// Holes are pixels without a disparity that are not masked and have image data. Along 8 straight
-/// paths the first pixel with a disparity is looked for; it offers the plane of its segment if it
-/// lies on it, else the plane that faces the camera. No plane is offered twice, nor one that leaves
-/// the disparities of the map.
+/// Of the holes that shall be filled. Along 8 straight paths the first pixel with a disparity is
+/// looked for; it offers the plane of its segment if it lies on it, else the plane that faces the
+/// camera. No plane is offered twice, nor one that leaves the disparities of the map.
 /// `doubted` is what holes had that lost their disparity because it is doubtful: they may get it
 /// back.
-XGM_API Holes find_candidates(const DisparityMap& map, const cv::Mat1f& doubted, const Image& image,
-                              const Segments& segments,
-                              const std::vector<std::optional<Plane>>& planes);
+XGM_API CandidateLists find_candidates(const Holes& holes, const DisparityMap& map,
+                                       const cv::Mat1f& doubted, const Segments& segments,
+                                       const std::vector<std::optional<Plane>>& planes);
 
 }  // namespace xgm::plane_filling

@@ -4,99 +4,97 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "xgm/base/parallel.hpp"
 
 namespace xgm::plane_filling {
 namespace {
 
-/// Steps of the paths that come from above or from the left; the others are the opposite ones.
-const std::array<cv::Point, 4> kForward{{{1, 0}, {1, 1}, {0, 1}, {-1, 1}}};
 constexpr float kLeastWeight = 0.05F;  // neighbours of different colour are not quite independent
 
 class Paths {
  public:
-  Paths(const Holes& holes, const std::vector<float>& costs, const DisparityMap& map,
-        const Image& image, const Smoothness& smoothness)
-      : holes_(holes), costs_(costs), map_(map), image_(image), smoothness_(smoothness) {}
+  Paths(const Holes& holes, const CandidateLists& candidates, const std::vector<float>& costs,
+        const DisparityMap& map, const Smoothness& smoothness)
+      : holes_(holes), candidates_(candidates), costs_(costs), map_(map), smoothness_(smoothness) {}
 
-  /// Path costs along `step`, of all candidates.
-  std::vector<float> along(cv::Point step) const {
+  /// Path costs of all candidates, along the paths that come from step k.
+  std::vector<float> from(std::size_t k) const {
     std::vector<float> path = costs_;
+    const bool ascending = k < kDirections / 2;  // the hole before comes earlier
     const std::size_t count = holes_.at.size();
-    const bool forward = step.y > 0 || (step.y == 0 && step.x > 0);
-    for (std::size_t i = 0; i < count; ++i) continue_to(forward ? i : count - 1 - i, step, path);
+    for (std::size_t i = 0; i < count; ++i) continue_to(ascending ? i : count - 1 - i, k, path);
     return path;
   }
 
  private:
-  void continue_to(std::size_t hole, cv::Point step, std::vector<float>& path) const {
-    const cv::Point here = holes_.at[hole], before = here - step;
+  void continue_to(std::size_t hole, std::size_t k, std::vector<float>& path) const {
+    const std::span<const Candidate> candidates = candidates_.of(hole);
+    if (candidates.empty()) return;
+    const cv::Point before = holes_.at[hole] + kSteps[k];
     if (!cv::Rect({}, map_.size()).contains(before)) return;
-    if (!image_.is_valid(before.y, before.x)) return;
-    const float likeness = std::exp(-colour_distance(image_, here, before) / smoothness_.sigma);
+    const float likeness = std::exp(-holes_.distance[hole][k] / smoothness_.sigma);
     const float weight = std::max(likeness, kLeastWeight);
-    const std::span<const Candidate> candidates = holes_.of(hole);
-    float* const to = path.data() + holes_.begin[hole];
-    if (map_.has_disparity(before.y, before.x)) {
-      for (std::size_t k = 0; k < candidates.size(); ++k) {
-        to[k] += weight * penalty(candidates[k].disparity, map_.disparity(before));
+    const float slope = weight * smoothness_.slope, jump = weight * smoothness_.jump;
+    float* const to = path.data() + candidates_.begin[hole];
+    const int number = holes_.number(before);
+    if (number < 0) {
+      for (std::size_t i = 0; i < candidates.size(); ++i) {
+        to[i] += std::min(slope * std::abs(candidates[i].disparity - map_.disparity(before)), jump);
       }
       return;
     }
-    const int number = holes_.number(before);
-    if (number < 0) return;
-    const auto from = static_cast<std::size_t>(number);
-    const std::span<const Candidate> others = holes_.of(from);
-    if (others.empty()) return;
-    const float* const cost = path.data() + holes_.begin[from];
-    const float least = *std::min_element(cost, cost + others.size());
-    for (std::size_t k = 0; k < candidates.size(); ++k) {
-      float best = weight * smoothness_.jump;  // from the least one, at most
-      for (std::size_t l = 0; l < others.size(); ++l) {
-        const float change = weight * penalty(candidates[k].disparity, others[l].disparity);
-        best = std::min(best, cost[l] - least + change);
-      }
-      to[k] += best;
-    }
+    listen(static_cast<std::size_t>(number), path, slope, jump, candidates, to);
   }
 
-  float penalty(float a, float b) const {
-    return std::min(smoothness_.slope * std::abs(a - b), smoothness_.jump);
+  /// Adds what the path has cost at the hole before, and the change to each candidate.
+  void listen(std::size_t before, const std::vector<float>& path, float slope, float jump,
+              std::span<const Candidate> candidates, float* to) const {
+    const std::span<const Candidate> others = candidates_.of(before);
+    if (others.empty()) return;
+    const float* const cost = path.data() + candidates_.begin[before];
+    const float least = *std::min_element(cost, cost + others.size());
+    std::array<float, kMostCandidates> best;
+    best.fill(jump);  // from the least one, at most
+    for (std::size_t j = 0; j < others.size(); ++j) {
+      const float above = cost[j] - least;
+      if (above >= jump) continue;  // a jump from the least one costs less
+      for (std::size_t i = 0; i < candidates.size(); ++i) {
+        const float change = slope * std::abs(candidates[i].disparity - others[j].disparity);
+        best[i] = std::min(best[i], above + change);
+      }
+    }
+    for (std::size_t i = 0; i < candidates.size(); ++i) to[i] += best[i];
   }
 
   const Holes& holes_;
+  const CandidateLists& candidates_;
   const std::vector<float>& costs_;
   const DisparityMap& map_;
-  const Image& image_;
   const Smoothness& smoothness_;
 };
 
-void add(const std::vector<float>& more, std::vector<float>& sum) {
-  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += more[i];
-}
-
 }  // namespace
 
-std::vector<std::size_t> choose(const Holes& holes, const std::vector<float>& costs,
-                                const DisparityMap& map, const Image& image,
+std::vector<std::size_t> choose(const Holes& holes, const CandidateLists& candidates,
+                                const std::vector<float>& costs, const DisparityMap& map,
                                 const Smoothness& smoothness) {
-  const Paths paths(holes, costs, map, image, smoothness);
-  // One sum for each of both ways, so that the order of additions is the same on any number of
-  // threads.
-  std::array<std::vector<float>, 2> sums;
-  parallel_for(0, 2, [&](int way) {
-    std::vector<float>& sum = sums[static_cast<std::size_t>(way)];
-    sum.assign(costs.size(), 0.0F);
-    for (const cv::Point step : kForward) add(paths.along(way == 0 ? step : -step), sum);
+  const Paths paths(holes, candidates, costs, map, smoothness);
+  std::array<std::vector<float>, kDirections> path;
+  parallel_for(0, static_cast<int>(kDirections), [&](int k) {
+    path[static_cast<std::size_t>(k)] = paths.from(static_cast<std::size_t>(k));
   });
-  add(sums[1], sums[0]);
   std::vector<std::size_t> chosen(holes.at.size(), 0);
   for (std::size_t hole = 0; hole < chosen.size(); ++hole) {
-    const auto first = sums[0].begin() + static_cast<std::ptrdiff_t>(holes.begin[hole]);
-    const auto last = sums[0].begin() + static_cast<std::ptrdiff_t>(holes.begin[hole + 1]);
-    if (first != last)
-      chosen[hole] = static_cast<std::size_t>(std::min_element(first, last) - first);
+    float least = std::numeric_limits<float>::infinity();
+    for (std::size_t i = candidates.begin[hole]; i < candidates.begin[hole + 1]; ++i) {
+      float sum = 0;
+      for (const std::vector<float>& along : path) sum += along[i];
+      if (sum >= least) continue;
+      least = sum;
+      chosen[hole] = i - candidates.begin[hole];
+    }
   }
   return chosen;
 }

@@ -17,8 +17,8 @@ struct Smoothness {
 /// The number of the chosen candidate of each hole; 0 where there is none to choose from. `costs`
 /// has one entry for each candidate. Minimises the costs plus the smoothness of neighbours along 8
 /// paths through the holes, as semi-global matching does; pixels that have a disparity keep it.
-XGM_API std::vector<std::size_t> choose(const Holes& holes, const std::vector<float>& costs,
-                                        const DisparityMap& map, const Image& image,
+XGM_API std::vector<std::size_t> choose(const Holes& holes, const CandidateLists& candidates,
+                                        const std::vector<float>& costs, const DisparityMap& map,
                                         const Smoothness& smoothness);
 
 }  // namespace xgm::plane_filling

@@ -43,15 +43,18 @@ class PlaneFilling final : public xgm::Filter, public xgm::StatesNeeds {
     const std::vector<std::optional<pf::Plane>> planes = pf::fit_planes(map, segments);
     DisparityMap filled = map.clone();
     if (p_.outliers > 0) remove_outliers(segments, planes, filled);
-    const pf::Holes holes = pf::find_candidates(filled, map.disparity, pair.base, segments, planes);
-    const std::vector<float> costs = costs_of(holes, filled, pair);
+    const pf::Holes holes = pf::find_holes(filled, pair.base);
+    const pf::CandidateLists candidates =
+        pf::find_candidates(holes, filled, map.disparity, segments, planes);
+    const std::vector<float> costs = costs_of(holes, candidates, filled, pair);
     const pf::Smoothness smoothness{static_cast<float>(p_.smoothness), static_cast<float>(p_.edge),
                                     static_cast<float>(p_.sigma_range)};
-    const std::vector<std::size_t> chosen = pf::choose(holes, costs, filled, pair.base, smoothness);
+    const std::vector<std::size_t> chosen =
+        pf::choose(holes, candidates, costs, filled, smoothness);
     for (std::size_t hole = 0; hole < chosen.size(); ++hole) {
-      if (holes.of(hole).empty()) continue;
+      if (candidates.of(hole).empty()) continue;
       const cv::Point at = holes.at[hole];
-      filled.set(at.y, at.x, holes.of(hole)[chosen[hole]].disparity, Status::filled);
+      filled.set(at.y, at.x, candidates.of(hole)[chosen[hole]].disparity, Status::filled);
     }
     context.figure("segments", segments.count);
     return filled;
@@ -127,21 +130,21 @@ class PlaneFilling final : public xgm::Filter, public xgm::StatesNeeds {
     });
   }
 
-  std::vector<float> costs_of(const pf::Holes& holes, const DisparityMap& map,
-                              const xgm::ImagePair& pair) const {
+  std::vector<float> costs_of(const pf::Holes& holes, const pf::CandidateLists& candidates,
+                              const DisparityMap& map, const xgm::ImagePair& pair) const {
     const bool far_is_low = (p_.background == Background::lowest) != pair.is_reverse;
     const pf::CandidateCosts cost(map, pair,
                                   {static_cast<float>(p_.occlusion), static_cast<float>(p_.hides),
                                    static_cast<float>(p_.path), far_is_low});
-    std::vector<float> costs(holes.candidates.size());
+    std::vector<float> costs(candidates.all.size());
     constexpr std::size_t kPart = 1024;  // holes
     const std::size_t parts = (holes.at.size() + kPart - 1) / kPart;
     xgm::parallel_for(0, static_cast<int>(parts), [&](int part) {
       const std::size_t begin = static_cast<std::size_t>(part) * kPart;
       const std::size_t end = std::min(holes.at.size(), begin + kPart);
       for (std::size_t hole = begin; hole < end; ++hole) {
-        for (std::size_t i = holes.begin[hole]; i < holes.begin[hole + 1]; ++i) {
-          costs[i] = cost.of(holes.at[hole], holes.candidates[i]);
+        for (std::size_t i = candidates.begin[hole]; i < candidates.begin[hole + 1]; ++i) {
+          costs[i] = cost.of(holes.at[hole], candidates.all[i]);
         }
       }
     });

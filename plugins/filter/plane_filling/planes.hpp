@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "plugins/filter/plane_filling/segments.hpp"
@@ -29,7 +30,7 @@ inline constexpr float kInlier = 1;
 /// The plane with the least sum of min(|residual|, kInlier) that is found among a fixed number of
 /// planes through three samples (random, but the same for the same samples), then by least squares
 /// of its inliers. None if there are too few samples, or if less than half of them are inliers.
-XGM_API std::optional<Plane> fit_plane(const std::vector<Sample>& samples);
+XGM_API std::optional<Plane> fit_plane(std::span<const Sample> samples);
 
 /// The plane of each segment, from its pixels that have a disparity.
 std::vector<std::optional<Plane>> fit_planes(const DisparityMap& map, const Segments& segments);

@@ -27,7 +27,4 @@ struct Segments {
 XGM_API Segments find_segments(const DisparityMap& map, const Image& image,
                                const SegmentRules& rules);
 
-/// Mean absolute difference of the planes of two pixels, grey levels.
-XGM_API float colour_distance(const Image& image, cv::Point a, cv::Point b);
-
 }  // namespace xgm::plane_filling

@@ -15,11 +15,13 @@ constexpr double kMaxDisparity = 1e6;
 
 class Stereo final : public xgm::StereoFamily {
  public:
+  enum class Views { both, left };
   struct Parameters {
     std::vector<double> disparities;
     xgm::SlotList<xgm::Preprocess> preprocess;
     xgm::Slot<xgm::Matcher> matcher;
     xgm::SlotList<xgm::Filter> postprocess;
+    Views views = Views::both;
   };
 
   static void describe(Parameters& p, xgm::ParameterSet& set) {
@@ -33,6 +35,12 @@ class Stereo final : public xgm::StereoFamily {
     set.add("preprocess", p.preprocess, "What is done to the images before matching, in order.");
     set.add("matcher", p.matcher, "Finds the disparity map.");
     set.add("postprocess", p.postprocess, "What is done to the finished maps, in order.");
+    set.add_choice(
+        "views", p.views,
+        "Whose maps are finished: those of both views, as far as the matcher gives them, "
+        "or the left one's alone, which saves the time that 'postprocess' takes for the "
+        "right one. Files of results hold the left map.",
+        {{"both", Views::both}, {"left", Views::left}});
     set.rule({"disparities"}, "must not begin above their end",
              [&p] { return p.disparities.empty() || p.disparities[0] <= p.disparities[1]; });
     set.rule({"postprocess", "matcher"},
@@ -61,6 +69,7 @@ class Stereo final : public xgm::StereoFamily {
     if (!request.part) prepared.pair = preprocess(request.pair, context.part(0, 0.03));
     xgm::MatchResult result = match(prepared, context.part(0.03, 0.95));
     if (request.part && request.part->scale > 1) return result;
+    if (stages_.views == Views::left) result.reverse.reset();
     const xgm::Context rest = context.part(0.95, 1);
     for (const auto& stage : stages_.postprocess) {
       result.forward = stage(rest, result.forward, prepared.pair);

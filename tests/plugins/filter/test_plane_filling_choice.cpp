@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Candidates, costs and choice of plane_filling against what their comments say, written plainly.
+// Candidates, costs and choice of plane_filling against what their comments say, written
+// plainly.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -32,7 +33,8 @@ struct World {
     planes.resize(static_cast<std::size_t>(segments.count));
     for (std::size_t i = 1; i < planes.size(); ++i) planes[i] = random_plane(random);
     doubted = random_map(size, {-3, 6, 0.5, 0.7}, seed + 1).disparity;
-    holes = find_candidates(map, doubted, pair.base, segments, planes);
+    holes = find_holes(map, pair.base);
+    candidates = find_candidates(holes, map, doubted, segments, planes);
   }
   DisparityMap map;
   cv::Mat1f doubted;
@@ -40,7 +42,15 @@ struct World {
   Segments segments;
   std::vector<std::optional<Plane>> planes;
   Holes holes;
+  CandidateLists candidates;
 };
+
+/// Mean absolute difference of the planes of two pixels.
+double colour_distance(const Image& image, cv::Point a, cv::Point b) {
+  double sum = 0;
+  for (const cv::Mat1f& plane : image.planes) sum += std::abs(double{plane(a)} - double{plane(b)});
+  return sum / static_cast<double>(image.planes.size());
+}
 
 /// Disparity and path of each candidate.
 using Offers = std::vector<std::pair<double, double>>;
@@ -82,7 +92,7 @@ Offers naive_offers(const World& world, cv::Point hole) {
       const cv::Point next = p + step;
       if (!inside(world.map.size(), next)) continue;
       if (image.is_valid(p.y, p.x) && image.is_valid(next.y, next.x)) {
-        path += double{colour_distance(image, p, next)};
+        path += colour_distance(image, p, next);
       }
     }
     if (!inside(world.map.size(), p)) continue;
@@ -102,14 +112,14 @@ Offers naive_offers(const World& world, cv::Point hole) {
 /// The path costs of all candidates of `hole`, found by going back to where the path begins.
 std::vector<double> naive_path(const World& world, const std::vector<float>& costs,
                                const Smoothness& s, std::size_t hole, cv::Point step) {
-  const auto candidates = world.holes.of(hole);
-  const std::size_t begin = world.holes.begin[hole];
+  const auto candidates = world.candidates.of(hole);
+  const std::size_t begin = world.candidates.begin[hole];
   std::vector<double> path(costs.begin() + static_cast<std::ptrdiff_t>(begin),
                            costs.begin() + static_cast<std::ptrdiff_t>(begin + candidates.size()));
   const cv::Point here = world.holes.at[hole], before = here - step;
   const Image& image = world.pair.base;
   if (!inside(world.map.size(), before) || !image.is_valid(before.y, before.x)) return path;
-  const double distance{colour_distance(image, here, before)};
+  const double distance = colour_distance(image, here, before);
   const double weight = std::max(0.05, std::exp(-distance / double{s.sigma}));
   const auto penalty = [&](float a, float b) {
     return weight * std::min(double{s.slope} * std::abs(double{a} - double{b}), double{s.jump});
@@ -129,9 +139,9 @@ std::vector<double> naive_path(const World& world, const std::vector<float>& cos
   for (std::size_t k = 0; k < path.size(); ++k) {
     double best = 1e9;
     for (std::size_t l = 0; l < last.size(); ++l) {
-      best =
-          std::min(best, last[l] - least +
-                             penalty(candidates[k].disparity, world.holes.of(from)[l].disparity));
+      best = std::min(best,
+                      last[l] - least +
+                          penalty(candidates[k].disparity, world.candidates.of(from)[l].disparity));
     }
     path[k] += best;
   }
@@ -205,11 +215,17 @@ TEST_CASE("plane_filling: each hole is offered the planes that it sees") {
     for (int y = 0; y < size.height; ++y) {
       for (int x = 0; x < size.width; ++x) {
         const bool is_hole = !world.map.has_disparity(y, x) && world.map.at(y, x) != Status::masked;
-        CHECK((world.holes.number(y, x) >= 0) == (is_hole && world.pair.base.is_valid(y, x)));
+        const bool has_data = world.pair.base.is_valid(y, x);
+        CHECK((world.holes.number(y, x) >= 0) == (!world.map.has_disparity(y, x) || !has_data));
         if (world.holes.number(y, x) < 0) continue;
         CHECK(world.holes.number(y, x) == static_cast<int>(hole));
+        CHECK((world.holes.is_filled[hole] != 0) == (is_hole && has_data));
+        if (world.holes.is_filled[hole] == 0) {
+          CHECK(world.candidates.of(hole++).empty());
+          continue;
+        }
         Offers offers;
-        for (const Candidate& c : world.holes.of(hole)) {
+        for (const Candidate& c : world.candidates.of(hole)) {
           offers.emplace_back(double{c.disparity}, double{c.path});
         }
         Offers expected = naive_offers(world, world.holes.at[hole]);
@@ -234,7 +250,7 @@ TEST_CASE("plane_filling: costs are those of the images, of hiding and of the pa
     const CandidateCosts costs(world.map, world.pair, rules);
     for (std::size_t hole = 0; hole < world.holes.at.size(); ++hole) {
       const cv::Point at = world.holes.at[hole];
-      for (const Candidate& candidate : world.holes.of(hole)) {
+      for (const Candidate& candidate : world.candidates.of(hole)) {
         const double expected = naive_cost(world, rules, at, candidate);
         CHECK(costs.of(at, candidate) == doctest::Approx(expected).epsilon(1e-3));
       }
@@ -246,13 +262,13 @@ TEST_CASE("plane_filling: the choice has the least sum of path costs") {
   for (const cv::Size size : kMapSizes) {
     CAPTURE(size);
     const World world(size, 31);
-    const std::vector<float> costs = random_costs(world.holes.candidates.size(), 1);
+    const std::vector<float> costs = random_costs(world.candidates.all.size(), 1);
     const Smoothness smoothness{0.3F, 1, 10};
-    const auto chosen = choose(world.holes, costs, world.map, world.pair.base, smoothness);
+    const auto chosen = choose(world.holes, world.candidates, costs, world.map, smoothness);
     REQUIRE(chosen.size() == world.holes.at.size());
     for (std::size_t hole = 0; hole < chosen.size(); ++hole) {
-      if (world.holes.of(hole).empty()) continue;
-      std::vector<double> sum(world.holes.of(hole).size(), 0.0);
+      if (world.candidates.of(hole).empty()) continue;
+      std::vector<double> sum(world.candidates.of(hole).size(), 0.0);
       for (const cv::Point step : kEightSteps) {
         const std::vector<double> path = naive_path(world, costs, smoothness, hole, step);
         for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += path[k];
