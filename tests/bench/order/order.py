@@ -8,7 +8,6 @@ generated; with --aloe (the folder that `make demo` leaves, build/aloe) a photog
 Prints a table of each set of scenes. What was measured stays in WORK_DIR and is not measured again.
 """
 import argparse
-import csv
 import json
 import resource
 import subprocess
@@ -18,7 +17,7 @@ VARIANTS = ["sgm8", "sgm16", "mgm8", "mgm16", "tsgm8", "tsgm16", "tmgm8", "tmgm1
 FACTORS = [4, 2, 1]
 SIZE = "2944x1984"
 DISPARITIES = 256
-ERRORS = ["total_0.5", "total_1", "total_2", "invalid", "bad_1"]
+TOTALS = ["total_0.5", "total_1", "total_2"]
 
 
 def run(*command):
@@ -64,12 +63,14 @@ def measured(options, scene, variant):
     if known.exists():
         return json.loads(known.read_text())
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    run(options.program, "bench", "--pipelines", variant, "--data", scene, "--thresholds",
-        "0.5,1,2", "--threads", 2, "--output", output)
+    run(options.program, "run", variant, scene, "--threads", 2, "-o", output)
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    with (output / "bench.csv").open() as table:
-        row = next(row for row in csv.DictReader(table) if row["kind"] == "scene")
-    found = {error: 100 * float(row[error]) for error in ERRORS}
+    regions = json.loads((output / "run.json").read_text())["truth"]
+    judged = next(region for region in regions if region["region"] == "non-occluded")
+    found = {"invalid": 100 * judged["invalid"]}
+    for threshold in judged["thresholds"]:
+        for kind in ("total", "bad"):
+            found[f"{kind}_{threshold['delta_px']:g}"] = 100 * threshold[kind]
     found["seconds"] = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
     known.write_text(json.dumps(found))
     return found
@@ -92,7 +93,7 @@ def table(options, name, scenes):
         cells = [variant]
         for factor in FACTORS:
             row = results[variant, factor]
-            cells.append(" / ".join(f"{row[error]:.2f}" for error in ERRORS[:3]))
+            cells.append(" / ".join(f"{row[error]:.2f}" for error in TOTALS))
             cells += [f"{row['invalid']:.2f}", f"{row['bad_1']:.2f}", f"{row['seconds']:.1f}"]
         yield "| " + " | ".join(cells) + " |"
 
@@ -105,9 +106,10 @@ def main():
                         type=lambda text: [int(seed) for seed in text.split(",")])
     parser.add_argument("--aloe", type=Path, help="folder of aloeL.jpg, aloeR.jpg and aloeGT.png")
     options = parser.parse_args()
-    sets = {"generated": list(generated_scenes(options))}
+    sets = {}
     if options.aloe:
         sets["aloe"] = list(aloe_scene(options))
+    sets["generated"] = list(generated_scenes(options))
     for name, scenes in sets.items():
         shrink(options, name, scenes)
     for name, scenes in sets.items():

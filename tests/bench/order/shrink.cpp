@@ -37,8 +37,7 @@ cv::Mat1b visible(const cv::Mat1f& truth) {
       if (!std::isfinite(truth(y, x))) continue;
       const bool inside = there(x) >= 0 && there(x) < truth.cols;
       // A slanted surface may put several of its own pixels onto one: they are within 1 px.
-      const bool seen =
-          inside && truth(y, x) > nearest[static_cast<std::size_t>(there(x))] - 1.0F;
+      const bool seen = inside && truth(y, x) > nearest[static_cast<std::size_t>(there(x))] - 1.0F;
       mask(y, x) = seen ? kJudged : 128;
     }
   }
