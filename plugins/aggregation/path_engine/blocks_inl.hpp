@@ -65,14 +65,22 @@ HWY_INLINE hn::VFromD<D> in_units(D d, hn::Vec<hn::Rebind<std::uint8_t, D> > cos
   }
 }
 
+/// in_units() of the first `count` matching costs in memory; other lanes are infinite. Without a
+/// branch: slices that are shorter than a vector are as frequent as others.
+template <class D>
+HWY_INLINE hn::VFromD<D> load_part_of_cost(D d, const std::uint8_t* cost, int bits, int count) {
+  const hn::Rebind<std::uint8_t, D> d8;
+  const auto exists = present_lanes(d8, count);
+  const auto cells = kMasks ? hn::MaskedLoad(exists, d8, cost) : hn::LoadU(d8, cost);
+  return in_units(d, hn::IfThenElse(exists, cells, hn::Set(d8, CostVolume::kNoMatch)), bits);
+}
+
 /// in_units() of matching costs in memory; lanes from `count` on are infinite.
 template <class D>
 HWY_INLINE hn::VFromD<D> load_cost(D d, const std::uint8_t* cost, int bits, int count) {
   const hn::Rebind<std::uint8_t, D> d8;
   if (HWY_LIKELY(count >= kLanes<D>)) return in_units(d, hn::LoadU(d8, cost), bits);
-  const auto exists = present_lanes(d8, count);
-  const auto cells = kMasks ? hn::MaskedLoad(exists, d8, cost) : hn::LoadU(d8, cost);
-  return in_units(d, hn::IfThenElse(exists, cells, hn::Set(d8, CostVolume::kNoMatch)), bits);
+  return load_part_of_cost(d, cost, bits, count);
 }
 
 /// The match classes of the disparities i, i + 1, ... of a block.

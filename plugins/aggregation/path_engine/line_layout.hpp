@@ -15,7 +15,6 @@ struct LineLayout {
   static constexpr int kPixels = 32;
   static constexpr int kAhead = 4;  ///< pixels by which costs and sums are prefetched
 
-  static constexpr int kNone = -1;     ///< equal to the base classes of no pixel
   static constexpr int kUnknown = -2;  ///< the base classes do not fit one byte: look them up
 
   int first;  ///< element k describes pixel first + k of the line

@@ -62,7 +62,8 @@ PassPenalties<Cell>::PassPenalties(const PenaltyField& field, std::vector<Direct
             width),
       // A vector of up to 64 classes may be read from any disparity of the hull on.
       match_(max_classes(tables, &PenaltyTable::match_classes), static_cast<int>(tables.size()),
-             rows, width + hull.size() + 64) {
+             rows, width + hull.size() + 64),
+      row_(tables.size() * static_cast<std::size_t>(match_.count())) {
   for (const PenaltyTable& table : tables) {
     for (int base = 0; base < base_.count(); ++base) {
       for (int match = 0; match < match_.count(); ++match) {
@@ -72,6 +73,23 @@ PassPenalties<Cell>::PassPenalties(const PenaltyField& field, std::vector<Direct
                               Repeated(static_cast<Cell>(pair.p2 * unit))});
       }
     }
+  }
+  if (base_.count() > 1 && !base_.packed()) return;
+  const std::size_t combinations = base_.count() == 1 ? 1 : std::size_t{1} << tables.size();
+  by_classes_.resize(combinations * row_);
+  for (std::size_t i = 0; i < combinations; ++i) {
+    const auto classes = static_cast<std::uint8_t>(i);
+    look_up(&classes, &by_classes_[i * row_]);
+  }
+}
+
+template <class Cell>
+void PassPenalties<Cell>::look_up(const std::uint8_t* base_classes, StepPenalties* row) const {
+  const int count = match_.count(), table = base_.count() * count;
+  const StepPenalties* of_step = penalties_.data();
+  for (int step = 0; step < static_cast<int>(steps_.size()); ++step, of_step += table) {
+    const int own = base_.count() == 1 ? 0 : base_.get(step, base_classes);
+    row = std::copy_n(of_step + own * count, count, row);
   }
 }
 

@@ -69,8 +69,15 @@ class PassPenalties {
   const std::uint8_t* match_at(int slot, int x) const {
     return match_.at(slot, 0) + (width_ - 1 - x - hull_.begin);
   }
-  /// Tables of all steps, one after the other: base classes x match classes each.
-  const StepPenalties* tables() const { return penalties_.data(); }
+  /// Penalties of a pixel: for each step, those of all match classes. `classes` are its packed base
+  /// classes, 0 if there is one class. Looked up for all steps at once and without a branch:
+  /// classes change from pixel to pixel in a way that processors do not foresee.
+  const StepPenalties* of(int classes) const {
+    return by_classes_.data() + static_cast<std::size_t>(classes) * row_;
+  }
+  /// The same where base classes are not packed: written to `row`, row_size() elements.
+  void look_up(const std::uint8_t* base_classes, StepPenalties* row) const;
+  std::size_t row_size() const { return row_; }
 
  private:
   static std::vector<PenaltyTable> tables_of(const PenaltyField& field,
@@ -84,7 +91,9 @@ class PassPenalties {
   int width_;
   Interval hull_;
   PixelClasses base_, match_;
-  std::vector<StepPenalties> penalties_;  // steps x base classes x match classes
+  std::vector<StepPenalties> penalties_;   // steps x base classes x match classes
+  std::size_t row_;                        // steps x match classes
+  std::vector<StepPenalties> by_classes_;  // a row for each combination of packed base classes
 };
 
 extern template class PassPenalties<std::uint8_t>;

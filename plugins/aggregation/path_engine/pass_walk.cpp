@@ -68,6 +68,7 @@ PassWalk<Cell>::PassWalk(const CostVolume& costs, const PenaltyField& penalties,
     step_.class_plane = penalties_.match().plane_stride();
   scratch_.assign(static_cast<std::size_t>(lines_.slots()),
                   std::vector<Cell>(static_cast<std::size_t>(scratch_stride_) * steps_.size()));
+  looked_up_.assign(scratch_.size(), std::vector<StepPenalties>(penalties_.row_size()));
 }
 
 template <class Cell>
@@ -100,6 +101,7 @@ void PassWalk<Cell>::begin_line(int v, bool begins_sums, Line& line) {
     line.match_classes = {penalties_.match_at(row, start.x),
                           along.dy * match.row_stride() - along.dx};
   line.scratch = scratch_[static_cast<std::size_t>(slot)].data();
+  line.looked_up = looked_up_[static_cast<std::size_t>(slot)].data();
   line.pixels = lines_.pixels(v);
   for (int i = 0; i <= kFarthest; ++i) line.any_lost[i] = lines_.pixels(v - i).any_lost;
   for (std::size_t t = 0; t < steps_.size(); ++t) {
@@ -107,7 +109,6 @@ void PassWalk<Cell>::begin_line(int v, bool begins_sums, Line& line) {
     line.back_costs[t] = lines_.costs(v - steps_[t].across, static_cast<int>(t) / step_.terms);
   }
   for (int path = 0; path < step_.paths; ++path) line.costs[path] = lines_.costs(v, path);
-  line.known_classes = LineLayout::kNone;
 }
 
 template <class Cell>
@@ -154,17 +155,9 @@ void PassWalk<Cell>::plan_classes(Line& line, int from, int to) const {
 }
 
 template <class Cell>
-void PassWalk<Cell>::change_penalties(Line& line, int k) const {
-  const PixelClasses& base = penalties_.base();
-  const std::uint8_t* const classes =
-      base.count() > 1 ? line.base_classes.at(line.layout.first + k) : nullptr;
-  const int classes_of_pixels = line.layout.base_classes[k];
-  line.known_classes =
-      classes_of_pixels == LineLayout::kUnknown ? LineLayout::kNone : classes_of_pixels;
-  const StepPenalties* penalties = penalties_.tables();
-  const int row = penalties_.match().count(), table = base.count() * row;
-  for (int t = 0; t < static_cast<int>(steps_.size()); ++t, penalties += table)
-    line.penalties[t] = penalties + (classes == nullptr ? 0 : base.get(t, classes) * row);
+void PassWalk<Cell>::look_up_penalties(Line& line, int k) const {
+  penalties_.look_up(line.base_classes.at(line.layout.first + k), line.looked_up);
+  line.penalties = line.looked_up;
 }
 
 template <class Cell>
@@ -182,7 +175,8 @@ const Term<Cell>* PassWalk<Cell>::find_terms(Line& line, int k) const {
     const Cell* const cells = holds ? costs + (*previous.zero + begin)
                                     : joined(begin, room, previous, costs,
                                              line.scratch + std::ptrdiff_t{scratch_stride_} * step);
-    line.terms[t] = {cells, previous.minimum + t / step_.terms, step, line.penalties[step]};
+    line.terms[t] = {cells, previous.minimum + t / step_.terms, step,
+                     line.penalties + step * step_.match_classes};
   }
   return line.terms;
 }

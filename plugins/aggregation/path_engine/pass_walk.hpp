@@ -46,8 +46,8 @@ struct WalkedLine {
   const std::atomic<bool>* any_lost[kFarthest + 1];  ///< of this line, and of the lines before it
   const Cell* back_costs[kMaxSteps];                 ///< path costs that step t reads
   Cell* costs[kMaxPaths];                            ///< path costs of this line
-  const StepPenalties* penalties[kMaxSteps];         ///< of each step, by match class
-  int known_classes;                                 ///< base classes that `penalties` belong to
+  const StepPenalties* penalties;                    ///< of a pixel: by step and match class
+  StepPenalties* looked_up;                          ///< room for them, if classes are not packed
   Cell* scratch;                                     ///< a slice per step, for PassWalk::joined()
   Term<Cell> terms[kMaxSteps];                       ///< of a pixel that is not the usual case
 };
@@ -85,7 +85,9 @@ class PassWalk {
 
   /// Sets line.penalties to those of element k of the layout.
   [[gnu::always_inline]] void find_penalties(Line& line, int k) const {
-    if (line.layout.base_classes[k] != line.known_classes) change_penalties(line, k);
+    const int classes = line.layout.base_classes[k];
+    if (classes == LineLayout::kUnknown) return look_up_penalties(line, k);
+    line.penalties = penalties_.of(classes);
   }
   /// Match classes of pixel u from disparity `begin` on; null if there is one class only.
   [[gnu::always_inline]] const std::uint8_t* match_classes(const Line& line, int u,
@@ -113,7 +115,7 @@ class PassWalk {
     return shape_.offset(line.start.y + u * frame_.along().dy, *line.slices.at(u));
   }
   void plan_classes(Line& line, int from, int to) const;
-  void change_penalties(Line& line, int k) const;
+  void look_up_penalties(Line& line, int k) const;
   /// Path costs of the previous pixel where those in memory do not cover disparities begin - 1 to
   /// begin + room: copied to `scratch`, with infinite costs around them.
   static const Cell* joined(int begin, int room, const Pixels& previous, const Cell* costs,
@@ -128,7 +130,8 @@ class PassWalk {
   int lag_;
   PathLines<Cell> lines_;
   PassPenalties<Cell> penalties_;
-  std::vector<std::vector<Cell>> scratch_;  // one per line of the ring
+  std::vector<std::vector<Cell>> scratch_;             // one per line of the ring
+  std::vector<std::vector<StepPenalties>> looked_up_;  // likewise
   int scratch_stride_;
 };
 

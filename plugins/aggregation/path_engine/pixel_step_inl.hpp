@@ -15,6 +15,8 @@
 
 #include "plugins/aggregation/path_engine/advance.hpp"
 #include "plugins/aggregation/path_engine/blocks_inl.hpp"
+#include "plugins/aggregation/path_engine/one_block_inl.hpp"
+#include "plugins/aggregation/path_engine/paths_inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace xgm::aggregation::HWY_NAMESPACE {
@@ -57,75 +59,6 @@ Advance<Cell> choose(const PassStep&) {
 
 #else
 
-/// A term in registers. Read from where it is, it would be read again after each path cost is
-/// written: those are bytes, which for all a compiler knows could be anything's.
-template <class D, bool kClasses>
-class TermInRegisters {
- public:
-  using Cell = hn::TFromD<D>;
-
-  HWY_INLINE explicit TermInRegisters(const Term<Cell>& term)
-      : previous_(term.previous),
-        min_(filled(D(), *term.minimum)),
-        bit_(hn::Set(D(), static_cast<Cell>(1 << term.step))) {
-    for (int i = 0; i < kTable; ++i) {
-      p1_[i] = filled(D(), term.penalties[i].p1);
-      far_[i] = hn::SaturatedAdd(min_, filled(D(), term.penalties[i].p2));
-    }
-  }
-
-  template <class Block>
-  HWY_INLINE hn::VFromD<Block> message(Block d, hn::VFromD<Block> classes, int i) const {
-    const Cell* const at = previous_ + i;
-    auto p1 = first_lanes(d, D(), p1_[0]);
-    auto far = first_lanes(d, D(), far_[0]);
-    if constexpr (kClasses) {
-      const auto second = hn::TestBit(classes, first_lanes(d, D(), bit_));
-      p1 = hn::IfThenElse(second, first_lanes(d, D(), p1_[1]), p1);
-      far = hn::IfThenElse(second, first_lanes(d, D(), far_[1]), far);
-    }
-    const auto beside = hn::Min(hn::LoadU(d, at - 1), hn::LoadU(d, at + 1));
-    const auto near = hn::Min(hn::LoadU(d, at), hn::SaturatedAdd(beside, p1));
-    return hn::Sub(hn::Min(near, far), first_lanes(d, D(), min_));
-  }
-
- private:
-  static constexpr int kTable = kClasses ? 2 : 1;
-
-  const Cell* previous_;
-  hn::VFromD<D> min_, bit_, p1_[kTable], far_[kTable];
-};
-
-/// A path in registers.
-template <class D, int kTerms, bool kClasses>
-class PathInRegisters {
- public:
-  using Cell = hn::TFromD<D>;
-
-  HWY_INLINE PathInRegisters(const Term<Cell>& one, const Term<Cell>& other, Cell* costs)
-      : one_(one), other_(other), costs_(costs), min_(hn::Set(D(), kInfinite<Cell>)) {}
-
-  /// Writes a block of path costs. Returns what the path brings.
-  template <class Block>
-  HWY_INLINE hn::VFromD<Block> extend(Block d, hn::VFromD<Block> cost, hn::VFromD<Block> classes,
-                                      int i) {
-    auto message = one_.message(d, classes, i);
-    if constexpr (kTerms == 2) message = mean(d, message, other_.message(d, classes, i));
-    const auto extended = hn::SaturatedAdd(cost, message);
-    hn::StoreU(extended, d, costs_ + i);
-    min_ = hn::Min(min_, repeated(d, D(), extended));
-    return message;
-  }
-
-  Cell* costs() const { return costs_; }
-  HWY_INLINE hn::VFromD<D> minimum() const { return min_; }
-
- private:
-  TermInRegisters<D, kClasses> one_, other_;
-  Cell* costs_;
-  hn::VFromD<D> min_;
-};
-
 /// kPaths of the pass's kAllPaths, from kFirst on: they advance together, in vectors of up to D's
 /// lanes.
 template <class D, int kFirst, int kPaths, int kAllPaths, int kTerms, bool kClasses>
@@ -140,9 +73,7 @@ class Group {
         begins_sums_(kFirst == 0 && line.begins_sums),
         // What other paths are still added to had better stay.
         past_caches_(kPaths == kAllPaths && line.begins_sums && walk.step().past_caches),
-        pairs_fit_(sizeof(Cell) == 1 && 2 * walk.step().p2 <= kInfinite<Cell>),
-        always_room_(walk.step().always_room),
-        p2_(static_cast<Cell>(walk.step().p2)),
+        pairs_fit_(pairs_fit<Cell>(walk.step())),
         cost_weight_(static_cast<std::uint16_t>(walk.step().cost_weight)),
         cost_(walk.costs() + line.layout.offset[k]),
         next_cost_(walk.costs() + line.layout.offset[k + LineLayout::kAhead]),
@@ -156,19 +87,16 @@ class Group {
   /// `found` are the terms of all paths if they are not as usual, else null.
   HWY_INLINE void run(const PassWalk<Cell>& walk, WalkedLine<Cell>& line, int k,
                       const Term<Cell>* found) {
-    const std::ptrdiff_t u = line.layout.first + k;
     const auto term = [&](int path, int t) HWY_ATTR {
       const int step = (kFirst + path) * kTerms + t;
-      if (found != nullptr) return found[step];
-      return Term<Cell>{line.back_costs[step] + line.layout.back[step][k],
-                        line.back[step].minimum + u * kAllPaths + (kFirst + path), step,
-                        line.penalties[step]};
+      return found != nullptr ? found[step]
+                              : usual_term<kAllPaths, kTerms, kClasses>(line, k, step);
     };
     const auto path = [&](int p) HWY_ATTR {
       return PathInRegisters<D, kTerms, kClasses>(term(p, 0), term(p, kTerms - 1),
                                                   line.costs[kFirst + p] + line.layout.own[k]);
     };
-    Repeated* const minimum = line.pixels.minimum + u * kAllPaths + kFirst;
+    Repeated* const minimum = minima_of<kAllPaths>(line, k) + kFirst;
     if constexpr (kPaths == 1) {
       run_paths(walk, minimum, path(0));
     } else if constexpr (kPaths == 2) {
@@ -183,26 +111,8 @@ class Group {
   HWY_INLINE void run_paths(const PassWalk<Cell>& walk, Repeated* all_min, Paths... paths) {
     extend(D(), 0, paths...);
     (std::memset(paths.costs() + room_, 0xFF, VolumeShape::kGranule * sizeof(Cell)), ...);
-    const hn::FixedTag<Cell, 16 / sizeof(Cell)> d;
-    const auto minimum = min_lanes(D(), paths.minimum()...);
-    store_repeated<kPaths>(minimum, all_min);
-    if (always_room_) return;
-    const hn::FixedTag<Cell, kPaths> dp;
-    const auto few = first_lanes(dp, d, minimum);
-    const auto with_p2 = hn::SaturatedAdd(few, hn::Set(dp, p2_));
-    const auto infinite = hn::Set(dp, kInfinite<Cell>);
-    const auto too_large = hn::AndNot(hn::Eq(few, infinite), hn::Eq(with_p2, infinite));
-    if (HWY_UNLIKELY(!hn::AllFalse(dp, too_large))) {
-      int p = 0;
-      (make_room(walk, paths.costs(), all_min[p++]), ...);
-    }
-  }
-
-  HWY_INLINE void make_room(const PassWalk<Cell>& walk, Cell* costs, Repeated& minimum) const {
-    const Cell cost = minimum.template as<Cell>();
-    if (has_room_for_p2(cost, walk.step())) return;
-    lower(costs, room_, cost);
-    minimum = Repeated();
+    Cell* const costs[kPaths] = {paths.costs()...};
+    store_minima<kPaths>(walk.step(), min_lanes(D(), paths.minimum()...), costs, room_, all_min);
   }
 
   template <class Block, class... Paths>
@@ -250,8 +160,7 @@ class Group {
 
   // Copies, for the reason that TermInRegisters gives.
   const int room_, count_, bits_;
-  const bool begins_sums_, past_caches_, pairs_fit_, always_room_;
-  const Cell p2_;
+  const bool begins_sums_, past_caches_, pairs_fit_;
   const std::uint16_t cost_weight_;
   const std::uint8_t *const cost_, *const next_cost_;
   std::uint16_t *const sums_, *const next_sums_;
@@ -285,14 +194,15 @@ class InVectors {
     walk.find_penalties(line, k);
     const Term<Cell>* found = nullptr;
     if (HWY_UNLIKELY(!all_usual(line, k))) found = walk.find_terms(line, k);
-    // Short slices in short vectors, whose minima are found sooner.
-    const hn::CappedTag<Cell, 64 / sizeof(Cell)> widest;
-    if constexpr (kMasks) {
-      const hn::Half<decltype(widest)> half;
-      if (line.layout.room[k] <= kLanes<decltype(half)>)
-        return extend_groups<0>(half, walk, line, k, found);
+    if (found != nullptr || !extend_one_block<kPaths, kTerms, kClasses>(walk, line, k)) {
+      const hn::CappedTag<Cell, 64 / sizeof(Cell)> widest;
+      extend_groups<0>(widest, walk, line, k, found);
     }
-    extend_groups<0>(widest, walk, line, k, found);
+    if constexpr (kTerms == 2) {
+      const Repeated minimum = *minima_of<kPaths>(line, k);
+      if (HWY_UNLIKELY(minimum.template as<Cell>() == kInfinite<Cell>))
+        line.pixels.lose(line.layout.first + k);
+    }
   }
 
  private:
@@ -317,13 +227,8 @@ class InVectors {
   static HWY_INLINE void extend_groups(D d, const PassWalk<Cell>& walk, WalkedLine<Cell>& line,
                                        int k, const Term<Cell>* found) {
     Group<D, kFirst, kTogether, kPaths, kTerms, kClasses>(walk, line, k).run(walk, line, k, found);
-    if constexpr (kFirst + kTogether < kPaths) {
+    if constexpr (kFirst + kTogether < kPaths)
       extend_groups<kFirst + kTogether>(d, walk, line, k, found);
-    } else if constexpr (kTerms == 2) {
-      const int u = line.layout.first + k;
-      const Repeated minimum = line.pixels.minimum[u * kPaths];
-      if (HWY_UNLIKELY(minimum.template as<Cell>() == kInfinite<Cell>)) line.pixels.lose(u);
-    }
   }
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The plain code is compared with Eq. 3 to 6 by the other tests; here all others with the plain
 // code.
+#include <algorithm>
+
 #include "inputs.hpp"
 #include "plugins/aggregation/mgm/passes.hpp"
 #include "plugins/aggregation/path_engine/aggregate.hpp"
@@ -39,6 +41,20 @@ void check_targets(const CostVolume& costs, const PenaltyField& penalties) {
   }
 }
 
+/// Slices of about `count` disparities that begin near those of their neighbours, as pyramids have
+/// them: path costs of previous pixels are read where they are.
+VolumeShapePtr drifting_shape(cv::Size size, int count, std::uint64_t seed) {
+  Random random(seed);
+  cv::Mat1i begin(size), end(size);
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      begin(y, x) = x / 8 + random.integer(-3, 3);
+      end(y, x) = begin(y, x) + std::max(1, count + random.integer(-4, 4));
+    }
+  }
+  return std::make_shared<VolumeShape>(DisparityRange(begin, end));
+}
+
 }  // namespace
 
 TEST_CASE("every SIMD target gives the same sums on dense volumes, from one disparity to many") {
@@ -57,6 +73,17 @@ TEST_CASE("every SIMD target gives the same sums on ragged volumes") {
     check_targets(random_costs(shape, 24, 3), ConstantPenalties(0, 60));
     check_targets(random_costs(shape, 24, 4), RandomPenalties(1, 2, 90, 4));
     check_targets(random_costs(shape, 24, 5), RandomPenalties(2, 4, 90, 5));
+  }
+}
+
+TEST_CASE("every SIMD target gives the same sums where slices fit one vector, or nearly") {
+  for (const int count : {2, 12, 16, 28, 32, 44, 60, 64, 72}) {
+    CAPTURE(count);
+    const auto shape = drifting_shape({45, 17}, count, 5);
+    check_targets(random_costs(shape, 24, 6), ConstantPenalties(5, 60));
+    check_targets(random_costs(shape, 24, 7), RandomPenalties(2, 1, 90, 7));
+    check_targets(random_costs(shape, 24, 8), RandomPenalties(2, 2, 90, 8));
+    check_targets(random_costs(shape, 60, 9), RandomPenalties(2, 2, 60, 9));
   }
 }
 
