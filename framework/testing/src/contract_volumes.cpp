@@ -119,7 +119,8 @@ Violations check_cost(const Cost& stage, const Watch& watch) {
       for (const float level : {0.0F, 255.0F})
         report.expect(bytes_of(stage.run(with_levels_under_masks(pair, level), shape, Context{})) ==
                           bytes_of(costs),
-                      "grey levels of masked pixels matter");
+                      "grey levels of masked pixels matter: leave those out of windows, "
+                      "too, for which is_valid() is false");
       const VolumeShapePtr hull =
           shape_of(DisparityRange::uniform(pair.size(), input.range.hull()), pair.base.valid);
       const CostVolume dense = stage.run(pair, hull, Context{});

@@ -68,7 +68,8 @@ class ByGeometry final : public Pairs {
         .range(0, 180);
     set.add("max_cloud_cover", p.max_cloud_cover, "Of each image, a share.").range(0, 1);
     set.add("min_overlap", p.min_overlap,
-            "Share of one of the images that the other one has to show.")
+            "Share of one of the images that the other one has to show, on ground of the height at "
+            "which it shows most.")
         .range(0, 1);
     set.add("max_pairs", p.max_pairs, "Of the pairs that fit, so many: those closest in time.")
         .range(1, 1000000);

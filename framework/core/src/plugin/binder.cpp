@@ -124,6 +124,11 @@ const PluginInfo* Binder::find_plugin(const Node& name, std::string_view kind) {
   return nullptr;
 }
 
+std::string Binder::choices_of(std::string_view kind) const {
+  if (kind == PipelineFamily::kKind) return "a shipped pipeline, or the file of one";
+  return "one of " + join(names_of(registry_.plugins(kind)));
+}
+
 std::string Binder::unknown_remedy(const std::string& name, std::string_view kind) const {
   std::string remedy =
       suggest(name, names_of(registry_.plugins(kind)), "known " + std::string(kind) + " plugins");
@@ -192,8 +197,7 @@ bool Binder::bind(const Field& field, const Entry* entry, const Node& map, const
     }
     if (field.is_optional) return true;
     diagnose(map.where, owner + " needs '" + field.name + "'",
-             "add '" + field.name + ": NAME', NAME being one of " +
-                 join(names_of(registry_.plugins(stage_kind(field)))));
+             "add '" + field.name + ": NAME', NAME being " + choices_of(stage_kind(field)));
     return false;
   }
   if (is_stage_list(field)) {

@@ -42,6 +42,8 @@ class Binder {
  private:
   const PluginInfo* find_plugin(const Node& name, std::string_view kind);
   std::string unknown_remedy(const std::string& name, std::string_view kind) const;
+  /// What may stand for a stage of this kind, for people.
+  std::string choices_of(std::string_view kind) const;
   void check_keys(const Node& map, const ParameterSet& set, const std::string& owner,
                   const std::set<std::string>& skip);
   bool bind(const Field& field, const Entry* entry, const Node& map, const std::string& owner,

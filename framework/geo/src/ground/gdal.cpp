@@ -29,7 +29,9 @@ DatasetPtr open_raster(const std::string& file) {
     throw Error(file + ": is a folder; name a file in it");
   }
   if (dataset == nullptr) {
-    throw Error(file + ": is no raster that GDAL can read: " + QuietGdal::message());
+    const std::string reason = QuietGdal::message();
+    throw Error(file + ": is no raster that GDAL can read: " +
+                (reason.empty() ? "its format is not known" : reason));
   }
   return dataset;
 }

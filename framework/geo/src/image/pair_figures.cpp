@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "xgm/geo/image/pair_figures.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -9,20 +10,32 @@ namespace {
 
 using Figure = std::optional<double>;
 
-/// Share of one image, on a grid of places, that the other one shows, on ground of middle height.
-double overlap_of(const SatelliteImage& a, const SatelliteImage& b) {
+/// Share of one image, on a grid of places, that the other one shows, on ground of this height.
+double overlap_at(double height, const SatelliteImage& a, const SatelliteImage& b) {
   constexpr int kSteps = 9;
-  const HeightInterval heights = common_heights(a.camera, b.camera);
   int shown = 0;
   for (int k = 0; k < kSteps * kSteps; ++k) {
     const cv::Point2d pixel((k % kSteps + 0.5) * a.size.width / kSteps,
                             (k / kSteps + 0.5) * a.size.height / kSteps);
-    const auto point = a.camera.localize(pixel, (heights.min + heights.max) / 2);
+    const auto point = a.camera.localize(pixel, height);
     if (!point || !b.camera.covers(*point, 0.5)) continue;
     const cv::Point2d there = b.camera.project(*point);
     shown += cv::Rect2d({}, cv::Size2d(b.size)).contains(there);
   }
   return shown / double{kSteps * kSteps};
+}
+
+/// The largest over the heights of the cameras, which may reach over kilometres where the ground
+/// has one of them: crops of one place hardly overlap at others.
+double overlap_of(const SatelliteImage& a, const SatelliteImage& b) {
+  constexpr int kHeights = 17;
+  const HeightInterval heights = common_heights(a.camera, b.camera);
+  double most = 0;
+  for (int i = 0; i < kHeights; ++i) {
+    const double share = i / (kHeights - 1.0);
+    most = std::max(most, overlap_at(heights.min + share * (heights.max - heights.min), a, b));
+  }
+  return most;
 }
 
 /// Angle of the sights that meet on the ground in the middle of the first image.

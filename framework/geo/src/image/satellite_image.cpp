@@ -127,7 +127,7 @@ SatelliteImage open_image(const std::string& file, const std::string& camera_fil
   if (models.empty()) {
     throw Error(file +
                 ": holds no RPC camera; put the vendor's file (_RPC.TXT, .RPB, RPC_*.XML) "
-                "beside it, or name it");
+                "beside it, or name one for each image with --cameras");
   }
   // What the image itself holds is of its own pixels; a file of its own is of the vendor's image.
   const cv::Point2d origin =
