@@ -71,10 +71,8 @@ TEST_CASE("a raster comes back as it was written: values, place, CRS, nodata, me
   CHECK(again.place.step_y == doctest::Approx(-2e-4));
   CHECK(is_wgs84(again.crs));
   CHECK(again.metadata.at("vertical_datum") == "WGS 84 ellipsoid");
-  CHECK(error_of([&] { read_raster(folder / "none.tif"); }).find("none.tif") !=
-        std::string::npos);
-  CHECK(error_of([&] { read_raster(folder / "r.tif", 2); }).find("no band 2") !=
-        std::string::npos);
+  CHECK(error_of([&] { read_raster(folder / "none.tif"); }).find("none.tif") != std::string::npos);
+  CHECK(error_of([&] { read_raster(folder / "r.tif", 2); }).find("no band 2") != std::string::npos);
 }
 
 TEST_CASE("a DEM is bilinear between the centres of its cells, and has no height beyond") {
