@@ -11,6 +11,7 @@
 #include "xgm/io/outputs.hpp"
 #include "xgm/io/pfm.hpp"
 #include "xgm/pipeline.hpp"
+#include "xgm/pipeline/question.hpp"
 
 using namespace xgm;
 using xgm::testing::contains;
@@ -135,6 +136,36 @@ TEST_CASE("run_scene: range maps of the images' size are searched") {
   write_pfm(files / "max.pfm", cv::Mat1f(24, 41, 4.0F));
   write_pfm(files / "min.pfm", cv::Mat1f(24, 41, 2.0F));
   CHECK(contains(failure_of(request), "range maps have the size of the left image"));
+}
+
+TEST_CASE(
+    "run_scene: ranges in memory are searched as those of files are, and are given in one way") {
+  const Files files;
+  const cv::Mat1f low(kSize, 2.0F), high(kSize, 4.0F);
+  write_pfm(files / "min.pfm", low);
+  write_pfm(files / "max.pfm", high);
+  SceneRequest request{.scene = scene_in_memory(),
+                       .range_maps = RangeMapFiles{files / "min.pfm", files / "max.pfm"}};
+  const SceneRun of_files = run_scene(load(), request);
+  request.ranges = range_of_maps({low, "low"}, {high, "high"});
+  CHECK(contains(usage_error_of(request), "as files and in memory"));
+  request.range_maps.reset();
+  const SceneRun run = run_scene(load(), request);
+  CHECK(run.disparities == Interval{2, 5});
+  CHECK(xgm::testing::identical(run.maps.forward, of_files.maps.forward));
+  CHECK(
+      contains(usage_error_of(request, load("matcher: opencv_sgbm\n")), "one range for the whole"));
+
+  const Pipeline pipeline = load();
+  const auto question = [&](const SceneRequest& of) {
+    return question_of(pipeline, of, read_scene(of, pipeline), {}).dump();
+  };
+  const std::string before = question(request);
+  CHECK(question(request) == before);
+  cv::Mat1f higher = high.clone();
+  higher(3, 5) = 3;  // the hull of all ranges stays
+  request.ranges = range_of_maps({low, "low"}, {higher, "higher"});
+  CHECK(question(request) != before);
 }
 
 TEST_CASE("run_scene: notes and warnings are in the result, and told with an empty path") {

@@ -129,11 +129,12 @@ constexpr std::array kFormats{
     Format{"\x76\x2f\x31\x01"sv, exr},
 };
 
-bool is_pnm(std::string_view head) {
-  return head.size() >= 3 && head[0] == 'P' && head[1] >= '1' && head[1] <= '7';
-}
-
 }  // namespace
+
+bool is_pnm(std::string_view head) {
+  return head.size() >= 3 && head[0] == 'P' && head[1] >= '1' && head[1] <= '7' &&
+         " \t\r\n#"sv.find(head[2]) != std::string_view::npos;
+}
 
 std::optional<std::uint64_t> stated_bytes(std::string_view head) {
   for (const Format& format : kFormats) {

@@ -20,6 +20,9 @@ std::optional<std::uint64_t> stated_bytes(std::string_view head);
 /// So many first bytes are needed for it.
 inline constexpr std::size_t kImageHead = 4096;
 
+/// P1 to P7 and white space, or a comment.
+bool is_pnm(std::string_view head);
+
 /// What to throw if a file is none of these, or cannot be decoded.
 Error no_image(const std::string& file);
 

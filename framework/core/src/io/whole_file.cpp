@@ -4,15 +4,11 @@
 #include <filesystem>
 #include <fstream>
 
+#include "io/image_formats.hpp"
 #include "xgm/base/error.hpp"
 
 namespace xgm {
 namespace {
-
-bool is_pnm(const std::string& head) {
-  return head.size() >= 3 && head[0] == 'P' && head[1] >= '1' && head[1] <= '7' &&
-         (std::string_view(" \t\r\n#").find(head[2]) != std::string_view::npos);
-}
 
 std::uint64_t big_endian(const std::string& bytes) {
   std::uint64_t value = 0;

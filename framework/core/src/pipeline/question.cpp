@@ -64,7 +64,7 @@ std::string hash_of(const DisparityRange& ranges) {
       bytes.append(reinterpret_cast<const char*>(&at), sizeof at);
     }
   }
-  return std::to_string(fnv1a64(bytes));
+  return hash_text(bytes);
 }
 
 }  // namespace
