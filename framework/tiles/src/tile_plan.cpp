@@ -5,6 +5,7 @@
 
 #include "coarse_maps.hpp"
 #include "reduced_pair.hpp"
+#include "small_pair.hpp"
 #include "xgm/base/memory.hpp"
 #include "xgm/base/parallel.hpp"
 #include "xgm/data/interval_mapping.hpp"
@@ -22,11 +23,7 @@ constexpr double kLeftByTiles = 30e6;
 /// The question at a size that does not matter beside what is planned; RunTrace makes it half as
 /// large.
 MatchRequest small_request(const TiledRequest& request) {
-  constexpr double kPixels = 1.6e6;
-  const cv::Size size = request.pair->size();
-  int scale = 1;
-  while (double{1} * size.width * size.height / scale / scale > kPixels) scale *= 2;
-  ImagePair pair = reduced_pair(*request.pair, scale);
+  auto [pair, scale] = small_pair(*request.pair);
   const Interval range = divided(request.range.hull(), scale);
   const cv::Size small = pair.size();
   return {std::move(pair), DisparityRange::uniform(small, range), std::nullopt};
@@ -69,10 +66,11 @@ TilePlan::TilePlan(const Pipeline& pipeline, const MatchRequest& small, const Ti
   trim_heap();  // or what the small run and the looks at the images leave counts twice
 }
 
-RunPlan TilePlan::plan_of(cv::Size size, Interval range, double held) const {
+RunPlan TilePlan::plan_of(cv::Size size, Interval range, double used, double held) const {
   PlanRequest request{.load = load_, .besides = besides_};
   request.load.size = size;
   request.load.range = range;
+  request.load.used = used;
   request.load.cells_per_pixel = std::min(load_.cells_per_pixel, Workload::room(range.size()));
   request.besides.held += held;
   return plan_run(trace_, request);
@@ -92,17 +90,18 @@ RunPlan TilePlan::tile(const TileOptions& tiles) const {
       pipeline_.accepts_range_maps() ? 2 * kRangeBytes * tile.width * tile.height : 0;
   const double coarse_maps =
       scale == 1 ? 0 : 2 * kMapBytes * load_.size.width * load_.size.height / scale / scale;
-  return plan_of(tile, load_.range, kLeftByTiles + ranges + coarse_maps);
+  constexpr double kAll = 1;  // of the fullest tile, whatever the scene lacks
+  return plan_of(tile, load_.range, kAll, kLeftByTiles + ranges + coarse_maps);
 }
 
 TilePlan::Fit TilePlan::fit() const {
   // Stages look at a whole scene by windows; they hold no more at once than of so large a scene.
   const cv::Size windows(std::min(load_.size.width, 2048), std::min(load_.size.height, 2048));
   Fit fit;
-  for (const PlannedStage& stage : plan_of(windows, load_.range, 0).stages) {
+  for (const PlannedStage& stage : plan_of(windows, load_.range, load_.used, 0).stages) {
     if (is_preprocess(stage)) fit.bytes = std::max(fit.bytes, stage.memory);
   }
-  const RunPlan whole = plan_of(load_.size, load_.range, 0);
+  const RunPlan whole = plan_of(load_.size, load_.range, load_.used, 0);
   fit.seconds = whole.seconds - matching_seconds(whole);
   return fit;
 }
@@ -110,7 +109,7 @@ TilePlan::Fit TilePlan::fit() const {
 RunPlan TilePlan::coarse(const TileOptions& tiles) const {
   const int scale = scale_of(tiles);
   return plan_of({reduced(load_.size.width, scale), reduced(load_.size.height, scale)},
-                 divided(load_.range, scale), 0);
+                 divided(load_.range, scale), load_.used, 0);
 }
 
 double TilePlan::bytes(const TileOptions& tiles) const {

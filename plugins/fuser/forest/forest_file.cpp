@@ -3,7 +3,7 @@
 
 #include <charconv>
 #include <fstream>
-#include <iterator>
+#include <sstream>
 
 #include "xgm/base/error.hpp"
 
@@ -135,10 +135,10 @@ Forest parse_forest(std::string_view bytes, const std::string& path) {
 
 Forest read_forest(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw Error(path + ": cannot be read; give the file of a forest");
-  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-  if (file.bad()) throw Error(path + ": cannot be read; give the file of a forest");
-  return parse_forest(bytes, path);
+  std::ostringstream bytes;
+  bytes << file.rdbuf();
+  if (!file || !bytes) throw Error(path + ": cannot be read; give the file of a forest");
+  return parse_forest(bytes.view(), path);
 }
 
 }  // namespace xgm::forest

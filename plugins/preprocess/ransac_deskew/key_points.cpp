@@ -26,6 +26,13 @@ constexpr int kMaskMargin = 8;      // pixels; the edge of a mask is no feature 
 // Tiles searched at once, on as many threads: each needs some 300 MB.
 constexpr int kTilesAtOnce = 4;
 
+// A plane has three numbers: more pixels than these do not make it better. Of larger images, bands
+// of whole rows are looked at: what is seen in one view is in the same rows of the other, in
+// whatever column.
+constexpr double kEnoughPixels = 16 << 20;
+constexpr int kBands = 4;         // far apart, for the slope along y
+constexpr int kFewestRows = 128;  // key points of the larger scales need some
+
 struct View {
   cv::Mat1b grey;
   cv::Mat1b usable;
@@ -76,9 +83,24 @@ KeyPoints detect_in_tile(const PairWindows& pair, bool of_match, const cv::Rect&
   return found;
 }
 
+/// Where key points are looked for: everywhere, or in bands in the middle of equal parts.
+std::vector<cv::Rect> places(cv::Size image) {
+  if (double{1} * image.width * image.height <= kEnoughPixels) return image_parts(image, kTile);
+  const int rows = std::clamp(static_cast<int>(kEnoughPixels / kBands / image.width),
+                              std::min(kFewestRows, image.height / kBands), image.height / kBands);
+  std::vector<cv::Rect> all;
+  for (int i = 0; i < kBands; ++i) {
+    const auto middle = static_cast<int>(std::int64_t{image.height} * (2 * i + 1) / (2 * kBands));
+    for (const cv::Rect& tile : image_parts({image.width, rows}, kTile)) {
+      all.push_back(tile + cv::Point(0, middle - rows / 2));
+    }
+  }
+  return all;
+}
+
 /// Key points of both views, tile by tile.
 std::array<KeyPoints, 2> detect(const PairWindows& pair, int count) {
-  const std::vector<cv::Rect> tiles = image_parts(pair.size(), kTile);
+  const std::vector<cv::Rect> tiles = places(pair.size());
   const int each = static_cast<int>(tiles.size());
   std::vector<KeyPoints> parts(2 * tiles.size());
   const ThreadLimit memory_limit(std::min(thread_count(), kTilesAtOnce));
@@ -106,13 +128,19 @@ std::vector<Correspondence> match_key_points(const PairWindows& pair,
   return found;
 }
 
+double key_point_pixels(cv::Size size) {
+  double pixels = 0;
+  for (const cv::Rect& tile : places(size)) pixels += tile.area();
+  return pixels;
+}
+
 double key_point_bytes(cv::Size size, int threads) {
   // Six blurred images and five differences of them, of floats, of four times the pixels, and a
   // third more for the octaves: 235. Measured 236 for one tile to 276 for six of different sizes,
   // which leave holes in the heap.
   constexpr double kSiftBytesPerPixel = 255;
   constexpr double kViewBytesPerPixel = 2;  // grey levels and mask
-  const std::vector<cv::Rect> tiles = image_parts(size, kTile);
+  const std::vector<cv::Rect> tiles = places(size);
   double largest = 0;
   for (const cv::Rect& tile : tiles) {
     largest = std::max(largest, double(with_margin(tile, kTileMargin, size).area()));

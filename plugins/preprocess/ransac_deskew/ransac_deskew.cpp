@@ -142,7 +142,8 @@ class RansacDeskew final : public xgm::Preprocess, public xgm::StatesNeeds {
   xgm::Needs needs(const xgm::Workload& load) const override {
     const double warped = load.image_bytes() + (load.masked ? 0 : load.pixels());
     const double key_points = xgm::ransac_deskew::key_point_bytes(load.size, load.threads);
-    return {.working = std::max(0.0, key_points - warped), .updates = load.pixels()};
+    return {.working = std::max(0.0, key_points - warped),
+            .updates = xgm::ransac_deskew::key_point_pixels(load.size)};
   }
 
  private:

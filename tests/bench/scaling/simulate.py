@@ -81,7 +81,9 @@ def tile_seconds(inputs, megapixels, tiles, seed):
 
 def fit_seconds(inputs, megapixels, preprocess):
     """Of what is looked for in the whole scene before anything is matched."""
-    return inputs["fit"]["seconds_per_megapixel"] * megapixels if preprocess != "none" else 0.0
+    fit = inputs["fit"]
+    looked_at = min(megapixels, fit["most_megapixels"])
+    return fit["seconds_per_megapixel"] * looked_at if preprocess != "none" else 0.0
 
 
 def coarse_seconds(inputs, megapixels, preprocess):

@@ -57,7 +57,8 @@ class Model(unittest.TestCase):
             start = inputs["job"]["start_seconds"]
             first = start + simulate.coarse_seconds(inputs, 100, preprocess)
             if preprocess != "none":
-                first += start + inputs["fit"]["seconds_per_megapixel"] * 100
+                fit = inputs["fit"]
+                first += start + fit["seconds_per_megapixel"] * fit["most_megapixels"]
             tiles = simulate.tile_count(100, inputs["tile"]["side"])
             join = start + inputs["join"]["seconds_per_megapixel"] * 100
             job = inputs["job"]

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // ransac_deskew finds the shift of rows that a scene was made with, and takes it away.
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <map>
 #include <opencv2/features2d.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "support/support.hpp"
 #include "xgm/synthesis/generate.hpp"
@@ -69,6 +71,36 @@ double mean_difference(const Image& image, const Image& aligned) {
   cv::absdiff(image.planes[0], aligned.planes[0], difference);
   return image.valid.empty() ? cv::mean(difference)[0] : cv::mean(difference, image.valid)[0];
 }
+
+/// Texture without end, and the same seen 40 columns to the left, in other rows.
+ImagePair large_pair(cv::Size size, const VerticalShift& shift) {
+  cv::Mat1b noise(size);
+  cv::RNG(1).fill(noise, cv::RNG::UNIFORM, 0, 256);
+  cv::Mat1f base, match;
+  noise.convertTo(base, CV_32F);
+  cv::GaussianBlur(base, base, {}, 2);
+  base = (base - 127.5F) * 5 + 127.5F;
+  const double slope = 1 / (1 + shift.b);
+  const cv::Matx23d place(1, 0, 40, -shift.a * slope, slope, -shift.c * slope);
+  cv::warpAffine(base, match, place, size, cv::INTER_LINEAR | cv::WARP_INVERSE_MAP);
+  return {Image(base), Image(match)};
+}
+
+/// Counts the pixels that are read.
+class CountedPair final : public PairWindows {
+ public:
+  explicit CountedPair(ImagePair pair) : pair_(std::move(pair)) {}
+  cv::Size size() const override { return pair_.size(); }
+  ImagePair read(const cv::Rect& window) const override {
+    pixels_ += window.area();
+    return pair_.read(window);
+  }
+  int pixels() const { return pixels_; }
+
+ private:
+  PairInMemory pair_;
+  mutable std::atomic<int> pixels_ = 0;
+};
 
 }  // namespace
 
@@ -235,6 +267,19 @@ TEST_CASE("ransac_deskew: images of many tiles are matched across tile borders")
   Listener listener;
   deskewed(make_scene(options).pair, listener);
   CHECK(corner_error(listener.model(), options.shift, options.size) < 0.1);
+}
+
+TEST_CASE("ransac_deskew: of an image of more than 16 megapixels no more are looked at") {
+  const VerticalShift truth{-0.0003, 0.001, 1.3};
+  const cv::Size size(6500, 5000);
+  const CountedPair pair(large_pair(size, truth));
+  Listener listener;
+  const auto fitted = stage<Preprocess>("ransac_deskew")->fitted(pair, Context(&listener));
+  CHECK(corner_error(listener.model(), truth, size) < 0.1);
+  CHECK(listener.figures.at("inliers") > 1000);
+  const double read_of_each = pair.pixels() / 2.0;
+  CHECK(read_of_each > 16e6);
+  CHECK(read_of_each < 1.25 * (16 << 20));  // tiles are seen with a margin
 }
 
 TEST_CASE("ransac_deskew: recovers dy = 0.01 y + 1.3 to 0.1 px in rooms full of things") {
