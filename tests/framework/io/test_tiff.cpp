@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
+#include <tiffio.h>
 
 #include <opencv2/imgcodecs.hpp>
 
@@ -45,7 +46,38 @@ std::string valid_pixels(const std::string& file, const std::vector<double>& no_
   return text;
 }
 
+/// An image of zeros of a kind that no matrix has.
+void write_samples(const std::string& file, int format, int bits) {
+  TIFF* const tiff = TIFFOpen(file.c_str(), "w");
+  TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, 16);
+  TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, 4);
+  TIFFSetField(tiff, TIFFTAG_SAMPLEFORMAT, format);
+  TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, bits);
+  TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
+  std::vector<unsigned char> row(16 * 16);
+  for (std::uint32_t y = 0; y < 4; ++y) TIFFWriteScanline(tiff, row.data(), y);
+  TIFFClose(tiff);
+}
+
 }  // namespace
+
+TEST_CASE("tiff: samples that are not read are named, with a remedy") {
+  const TemporaryFolder folder;
+  const std::string file = folder / "image.tif";
+  const auto says = [&](int format, int bits) {
+    write_samples(file, format, bits);
+    const std::string error = error_of([&] { read_unscaled(file); });
+    CHECK(contains(error, "gdal_translate -ot Float32 " + file));
+    return error;
+  };
+  CHECK(contains(says(SAMPLEFORMAT_UINT, 32), file + ": has 32-bit unsigned numbers"));
+  CHECK(contains(says(SAMPLEFORMAT_UINT, 4), "4-bit unsigned numbers"));
+  CHECK(contains(says(SAMPLEFORMAT_INT, 64), "64-bit signed numbers"));
+  CHECK(contains(says(SAMPLEFORMAT_IEEEFP, 16), "16-bit floats"));
+  CHECK(contains(says(SAMPLEFORMAT_COMPLEXIEEEFP, 64), "complex numbers"));
+  write_samples(file, SAMPLEFORMAT_UINT, 12);
+  CHECK(read_unscaled(file).planes.front()(0, 0) == 0);
+}
 
 TEST_CASE(
     "tiff: every type, in strips and tiles, bands together and apart, gives what was stored") {

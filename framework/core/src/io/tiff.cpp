@@ -26,6 +26,36 @@ int depth_of(std::uint16_t format, std::uint16_t bits) {
   }
 }
 
+std::string samples_text(std::uint16_t format, std::uint16_t bits) {
+  const std::string size = std::to_string(bits) + "-bit ";
+  switch (format) {
+    case SAMPLEFORMAT_UINT:
+      return size + "unsigned numbers";
+    case SAMPLEFORMAT_INT:
+      return size + "signed numbers";
+    case SAMPLEFORMAT_IEEEFP:
+      return size + "floats";
+    case SAMPLEFORMAT_COMPLEXINT:
+    case SAMPLEFORMAT_COMPLEXIEEEFP:
+      return "complex numbers";
+    default:
+      return size + "samples of a kind that it does not tell";
+  }
+}
+
+/// Whole bytes are read here, single bits and 10 to 14 of them by OpenCV.
+int known_depth_of(const TiffFile& tiff) {
+  const auto format = tiff.field(TIFFTAG_SAMPLEFORMAT, std::uint16_t{SAMPLEFORMAT_UINT});
+  const auto bits = tiff.field(TIFFTAG_BITSPERSAMPLE, std::uint16_t{1});
+  const int depth = depth_of(format, bits);
+  const bool by_opencv = format == SAMPLEFORMAT_UINT || format == SAMPLEFORMAT_VOID;
+  const bool known = bits == 1 || bits == 8 || (bits >= 10 && bits <= 16 && bits % 2 == 0);
+  if (depth >= 0 || (by_opencv && known)) return depth;
+  throw Error(tiff.name() + ": has " + samples_text(format, bits) +
+              ", which are not read; convert it: gdal_translate -ot Float32 " + tiff.name() +
+              " NEW.tif");
+}
+
 TiffLayout layout_of(const TiffFile& tiff) {
   TiffLayout layout;
   layout.width = tiff.field(TIFFTAG_IMAGEWIDTH, std::uint32_t{0});
@@ -36,8 +66,7 @@ TiffLayout layout_of(const TiffFile& tiff) {
       tiff.field(TIFFTAG_PLANARCONFIG, std::uint16_t{PLANARCONFIG_CONTIG}) == PLANARCONFIG_SEPARATE;
   const auto photometric = tiff.field(TIFFTAG_PHOTOMETRIC, std::uint16_t{PHOTOMETRIC_MINISBLACK});
   if (photometric == PHOTOMETRIC_MINISBLACK || photometric == PHOTOMETRIC_RGB) {
-    layout.depth = depth_of(tiff.field(TIFFTAG_SAMPLEFORMAT, std::uint16_t{SAMPLEFORMAT_UINT}),
-                            tiff.field(TIFFTAG_BITSPERSAMPLE, std::uint16_t{1}));
+    layout.depth = known_depth_of(tiff);
   }
   const std::size_t sample_bytes = layout.depth < 0 ? 1 : CV_ELEM_SIZE1(layout.depth);
   tiff.require_possible(layout.width, layout.height,
