@@ -142,6 +142,30 @@ TEST_CASE("names that no file can have are mistakes of usage") {
             .exit_code == 0);
 }
 
+TEST_CASE("a pipeline file beside the one that is not there is suggested") {
+  const TemporaryFolder folder;
+  folder.write("mine.yaml", "xgm: 1\nmatcher: opencv_sgbm\n");
+  for (const char* name : {"mine.yml", "MINE.yaml", "./mien.yaml", "mine"}) {
+    CAPTURE(name);
+    const Outcome outcome = call(folder, std::string("check ") + name);
+    CHECK(outcome.exit_code == 2);
+    CHECK(contains(outcome.errors, "did you mean 'mine.yaml'?"));
+  }
+}
+
+TEST_CASE("what the parser of the command line refuses is an error like others") {
+  const TemporaryFolder folder;
+  const std::pair<const char*, const char*> mistakes[] = {
+      {"run", "error: pipeline is required; see pipeline run --help"},
+      {"run sgm8 --left /dev/null", "error: --left requires --right; see pipeline run --help"},
+      {"run sgm8 . --threads 0", "error: --threads: Value 0 not in range 1 to 1024; see"}};
+  for (const auto& mistake : mistakes) {
+    const Outcome outcome = call(folder, mistake.first);
+    CHECK(outcome.exit_code == 2);
+    CHECK(contains(outcome.errors, mistake.second));
+  }
+}
+
 TEST_CASE("an unknown subcommand is named") {
   const TemporaryFolder folder;
   const Outcome outcome = call(folder, "rnu sgm8");

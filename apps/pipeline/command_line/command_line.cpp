@@ -141,7 +141,14 @@ int CommandLine::run() {
   try {
     app_->parse(std::vector<std::string>(arguments_.rbegin(), arguments_.rend()));
   } catch (const CLI::ParseError& error) {
-    return app_->exit(error) == 0 ? kOk : kUsage;  // 0: help and version
+    if (error.get_exit_code() == 0) {  // help and version
+      app_->exit(error);
+      return kOk;
+    }
+    std::string text = error.what();
+    while (text.ends_with('\n') || text.ends_with('.')) text.pop_back();
+    throw UsageError(text + "; see pipeline " + (arguments_.empty() ? "" : arguments_[0] + " ") +
+                     "--help");
   }
   return exit_code_;
 }

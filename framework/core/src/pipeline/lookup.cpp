@@ -33,6 +33,19 @@ std::vector<std::string> all_names(const std::string& folder) {
   return names;
 }
 
+/// "did you mean 'q.yaml'? " for q.yml, among the files beside it and the shipped; may be empty.
+std::string guess(const std::string& name, const std::vector<std::string>& shipped) {
+  const fs::path path(name);
+  const std::string file = path.filename().string();
+  const fs::path beside = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  const std::string with_ending = file.ends_with(kEnding) ? file : file + kEnding;
+  for (std::string text :
+       {suggest(file, shipped_pipelines(beside.string()), ""), suggest(with_ending, shipped, "")}) {
+    if (text.starts_with("did you mean")) return text + " ";
+  }
+  return "";
+}
+
 bool is_path(const std::string& name) { return name.find('/') != std::string::npos; }
 
 }  // namespace
@@ -65,10 +78,8 @@ std::string find_pipeline(const std::string& name, const std::string& folder) {
     }
   }
   const std::vector<std::string> names = all_names(folder);
-  const std::string bare = fs::path(name).filename().string();
-  const std::string guess = suggest(bare.ends_with(kEnding) ? bare : bare + kEnding, names, "");
   throw UsageError("'" + name + "' is neither a file nor a shipped pipeline; " +
-                   (guess.starts_with("did you mean") ? guess + " " : "") +
+                   guess(name, names) +
                    (!names.empty()   ? "shipped are: " + join(names)
                     : folder.empty() ? "none are shipped beside " + library_file()
                                      : "none are shipped in " + folder));
