@@ -37,10 +37,11 @@ std::vector<std::string> all_names(const std::string& folder) {
 std::string guess(const std::string& name, const std::vector<std::string>& shipped) {
   const fs::path path(name);
   const std::string file = path.filename().string();
-  const fs::path beside = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  const std::vector<std::string> beside = shipped_pipelines(folder.string());
   const std::string with_ending = file.ends_with(kEnding) ? file : file + kEnding;
-  for (std::string text :
-       {suggest(file, shipped_pipelines(beside.string()), ""), suggest(with_ending, shipped, "")}) {
+  for (const std::string& text : {suggest(file, beside, ""), suggest(with_ending, beside, ""),
+                                  suggest(with_ending, shipped, "")}) {
     if (text.starts_with("did you mean")) return text + " ";
   }
   return "";
