@@ -168,12 +168,13 @@ class Pipeline:
     def explain(self, x: int, y: int, left: Any = None, right: Any = None, disparities: Any = None,
                 *, mask: Any = None, channels: str = "rgb", truth: Any = None,
                 truth_divisor: Optional[float] = None, scene: Optional[PathLike] = None,
-                scene_name: str = "", dataset: str = "", threads: int = 0,
+                scene_name: str = "", dataset: str = "",
+                range_maps: Optional[Tuple[Any, Any]] = None, threads: int = 0,
                 progress: Progress = None, cancel: Any = None) -> Explanation:
         """Says why pixel (x, y) of the left image has its disparity, stage by stage (docs/explain.md).
         The other arguments are those of run()."""
         request = make_request(left, right, disparities, mask, channels, truth, truth_divisor, scene,
-                               scene_name, dataset, None, None)
+                               scene_name, dataset, range_maps, None)
         with Watch(progress, cancel) as hooks:
             [(text, data)] = _native.explain(self._native, request, [(x, y)], to_threads(threads),
                                                hooks)
