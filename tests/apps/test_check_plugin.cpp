@@ -2,6 +2,7 @@
 // pipeline check-plugin: what it says of good, bad and deadly plugin files.
 #include <doctest/doctest.h>
 
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "apps/program.hpp"
@@ -88,11 +89,57 @@ TEST_CASE("check-plugin: a stage that ends the process is told by the check in w
     CHECK(contains(
         part, std::string("  FAILED  image of one pixel\n            the stage dies: ") + how));
     CHECK(contains(part, "the checks after 'image of one pixel' were not made"));
+    CHECK(contains(part, "  skipped image of one row\n"));
   };
   dies("crashes", "");
   dies("leaves", "it ended the process with exit code 0");
   dies("hangs", "it takes longer than 2 s");
   CHECK(contains(outcome.output, "0 of 3 stages keep their contracts"));
+}
+
+TEST_CASE("check-plugin --json: files, stages and checks with what was found, and the same exit") {
+  const auto json_of = [](const std::string& arguments, int exit_code) {
+    const Outcome outcome = check(arguments + " --json");
+    INFO(outcome.errors);
+    CHECK(outcome.exit_code == exit_code);
+    return nlohmann::json::parse(outcome.output);  // nothing else is printed there
+  };
+  const std::string file = kGood + "/xgm_trim_border.so";
+  const auto good = json_of(file, 0);
+  CHECK(good["file"] == file);
+  CHECK(good["passed"] == true);
+  CHECK(good["message"].is_null());
+  REQUIRE(good["stages"].size() == 1);
+  CHECK(good["stages"][0]["kind"] == "filter");
+  CHECK(good["stages"][0]["name"] == "trim_border");
+  const auto checks = good["stages"][0]["checks"];
+  CHECK(checks.size() > 10);
+  for (const auto& made : checks) {
+    CHECK(made["result"] == "passed");
+    CHECK(made["messages"].empty());
+  }
+  const auto deadly = json_of(kBad + "/xgm_deadly.so --time-limit 2", 1);
+  CHECK(deadly["passed"] == false);
+  for (const auto& stage : deadly["stages"]) {
+    CHECK(stage["passed"] == false);
+    CHECK(stage["message"] == "the checks after 'image of one pixel' were not made");
+    bool is_dead = false;
+    std::size_t i = 0;
+    for (const auto& made : stage["checks"]) {  // by the names, in the order of the good stage
+      CHECK(made["name"] == checks[i++]["name"]);
+      const bool dies_here = made["name"] == "image of one pixel";
+      CHECK(made["result"] == (dies_here ? "failed" : is_dead ? "skipped" : "passed"));
+      if (dies_here) CHECK(contains(made["messages"][0], "the stage dies: "));
+      is_dead = is_dead || dies_here;
+    }
+    CHECK(i == checks.size());
+  }
+  const auto missing = json_of("missing.so", 1);
+  CHECK(missing["stages"].empty());
+  CHECK(missing["message"] == "there is no such file");
+  const auto unmade = json_of(kGood + "/xgm_upside_down.so", 1)["stages"][0];
+  CHECK(contains(unmade["message"], "upside_down needs 'matcher'"));
+  CHECK(unmade["checks"].empty());
 }
 
 TEST_CASE("check-plugin: a file that dies or cannot be loaded is told with the reason") {

@@ -71,6 +71,14 @@ def test_mistakes_of_a_pipeline_come_all_at_once_with_their_places():
     assert str(caught.value).splitlines()[0].startswith("mine.yaml:3:16: error: ")
 
 
+def test_a_plugin_that_nobody_has_loaded_is_told_with_the_ways_to_load_it():
+    with pytest.raises(xgm.ConfigError) as caught:
+        xgm.load("sgm8", set={"matcher.matcher.cost": "quite_unheard_of"})
+    [found] = caught.value.diagnostics
+    assert "there is no cost called 'quite_unheard_of'" in found.message
+    assert "xgm.load_plugin" in found.remedy and "--plugin FILE" in found.remedy
+
+
 def test_changes_take_values_of_python_and_yaml():
     changed = xgm.load("sgm8", set={"matcher.matcher.aggregation.directions": 16,
                                     "postprocess": "[median]"})

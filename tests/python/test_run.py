@@ -106,6 +106,10 @@ def test_order_of_channels(scene, sgm8):
     blue_first = sgm8.run(scene.left[:, :, ::-1], scene.right[:, :, ::-1], scene.disparities,
                           channels="bgr")
     assert same(blue_first.disparity, wanted)
+    deep = [image.astype(">u2") * 257 for image in (scene.left, scene.right)]
+    turned = [image[:, :, ::-1] for image in deep]
+    for images, channels in ((deep, "rgb"), (turned, "bgr")):
+        assert same(sgm8.run(*images, scene.disparities, channels=channels).disparity, wanted)
 
 
 def test_masks_arrays_alpha_and_numpys_own_mean_the_same(scene, sgm8):
@@ -187,6 +191,25 @@ def test_range_maps_are_arrays_or_files(grey_scene, sgm8, tmp_path):
     assert (of_arrays.disparity[within] <= largest[within] + 0.5).all()
     masked = np.ma.masked_array(np.nan_to_num(smallest), mask=np.isnan(smallest))
     assert same(sgm8.run(left, right, range_maps=(masked, largest)).disparity, of_files.disparity)
+
+
+def test_pixels_are_explained_with_the_range_maps_of_their_run(grey_scene, sgm8, tmp_path):
+    left, right = grey_scene.left, grey_scene.right
+    smallest = np.full((120, 160), 2.0, np.float32)
+    largest = smallest + np.arange(160, dtype=np.float32) % 7
+    smallest[50:60, 20:40] = np.nan
+    result = sgm8.run(left, right, range_maps=(smallest, largest))
+    xgm.write_pfm(tmp_path / "min.pfm", smallest)
+    xgm.write_pfm(tmp_path / "max.pfm", largest)
+    of_files = (tmp_path / "min.pfm", tmp_path / "max.pfm")
+    for x, searched in ((80, [2, 5]), (30, None)):
+        explanation = sgm8.explain(x, 55, left, right, range_maps=(smallest, largest))
+        [level] = explanation.data["levels"]
+        assert level["range"] == searched
+        assert explanation.data["status"] == xgm.STATUS[result.status[55, x]]
+        assert explanation.data == sgm8.explain(x, 55, left, right, range_maps=of_files).data
+    with pytest.raises(xgm.Error, match="two arrays or two files"):
+        sgm8.explain(80, 55, left, right, range_maps=(smallest,))
 
 
 @pytest.mark.parametrize("maps, words", [

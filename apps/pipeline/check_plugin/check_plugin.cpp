@@ -16,15 +16,30 @@ struct Options {
   std::string file;
   std::vector<std::string> assignments;
   double seconds = 60;
+  bool json = false;
 };
 
 void print(const testing::StageVerdict& stage) {
   std::cout << stage.kind << ' ' << stage.name << '\n';
   for (const testing::CheckVerdict& check : stage.checks) {
-    std::cout << (check.faults.empty() ? "  passed  " : "  FAILED  ") << check.name << '\n';
+    std::cout << (check.is_skipped ? "  skipped "
+                  : check.passed() ? "  passed  "
+                                   : "  FAILED  ")
+              << check.name << '\n';
     for (const std::string& fault : check.faults) std::cout << "            " << fault << '\n';
   }
   if (!stage.failure.empty()) std::cout << "  FAILED  " << stage.failure << '\n';
+}
+
+void print(const std::string& file, const testing::PluginVerdict& verdict) {
+  for (const testing::StageVerdict& stage : verdict.stages) print(stage);
+  const auto good = std::ranges::count_if(verdict.stages, &testing::StageVerdict::passed);
+  std::cout << file << ": ";
+  if (verdict.failure.empty()) {
+    std::cout << good << " of " << verdict.stages.size() << " stages keep their contracts\n";
+  } else {
+    std::cout << "FAILED: " << verdict.failure << '\n';
+  }
 }
 
 int check_plugin(const Options& options) {
@@ -33,13 +48,10 @@ int check_plugin(const Options& options) {
   add_satellites(registry);
   const testing::PluginVerdict verdict = testing::check_plugin(
       {options.file, parse_overrides(options.assignments), options.seconds}, registry);
-  for (const testing::StageVerdict& stage : verdict.stages) print(stage);
-  const auto good = std::ranges::count_if(verdict.stages, &testing::StageVerdict::passed);
-  std::cout << options.file << ": ";
-  if (verdict.failure.empty()) {
-    std::cout << good << " of " << verdict.stages.size() << " stages keep their contracts\n";
+  if (options.json) {
+    std::cout << testing::to_json(options.file, verdict) << '\n';
   } else {
-    std::cout << "FAILED: " << verdict.failure << '\n';
+    print(options.file, verdict);
   }
   return verdict.passed() ? kOk : kFailed;
 }
@@ -61,6 +73,7 @@ void add_check_plugin(CommandLine& line) {
   command.option("--time-limit", options->seconds, "Seconds that each check may take")
       .type_name("SECONDS")
       .show_default();
+  command.flag("--json", options->json, "For programs: all checks, as an object");
   command.footer("Exit codes: 0 all contracts are kept; 1 some are not; 2 usage.");
 }
 

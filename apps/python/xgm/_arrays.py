@@ -31,7 +31,15 @@ def with_plain_rows(array: NDArray[Any]) -> NDArray[Any]:
         and array.strides[1] == channels * item
         and (array.ndim == 2 or array.strides[2] == item)
     )
-    return array if plain else np.ascontiguousarray(array, dtype=array.dtype.newbyteorder("="))
+    if plain:
+        return array
+    rows: NDArray[Any] = np.empty(array.shape, array.dtype.newbyteorder("="))
+    if array.ndim == 2:
+        rows[:] = array
+    else:  # numpy is slow at pixels whose channels it has to turn, as in image[:, :, ::-1]
+        for channel in range(channels):
+            rows[:, :, channel] = array[:, :, channel]
+    return rows
 
 
 def _words(shape: Sequence[int]) -> str:

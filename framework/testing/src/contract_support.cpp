@@ -21,7 +21,7 @@ void Report::with(const std::string& name, const std::function<void()>& body) {
   of_input_.clear();
   watch_.begin(name);
   try {
-    body();
+    if (!watch_.only_names) body();
   } catch (const std::exception& error) {
     fail("it throws", std::string(": ") + error.what());
   } catch (...) {

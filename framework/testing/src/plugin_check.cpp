@@ -40,7 +40,7 @@ std::string yaml_of(const StageVerdict& stage, const std::vector<Override>& para
 
 /// In the child.
 void tell_checks(Registry registry, const PluginCheck& check, const StageVerdict& stage,
-                 const Tell& tell) {
+                 bool only_names, const Tell& tell) {
   if (!load(registry, check.file, tell)) return;
   std::shared_ptr<const Stage> made;
   try {
@@ -50,15 +50,17 @@ void tell_checks(Registry registry, const PluginCheck& check, const StageVerdict
     return;
   }
   bool begun = false;
-  const Violations violations = check_stage(*made, {.begin =
-                                                        [&](const std::string& name) {
-                                                          begun = true;
-                                                          tell(Json{{"begin", name}}.dump());
-                                                        },
-                                                    .end =
-                                                        [&](const Violations& faults) {
-                                                          tell(Json{{"end", Json(faults)}}.dump());
-                                                        }});
+  const Watch watch{.begin =
+                        [&](const std::string& name) {
+                          begun = true;
+                          tell(Json{{"begin", name}}.dump());
+                        },
+                    .end =
+                        [&](const Violations& faults) {
+                          tell(Json{{"end", Json(faults)}}.dump());
+                        },
+                    .only_names = only_names};
+  const Violations violations = check_stage(*made, watch);
   if (!begun && !violations.empty()) tell(Json{{"failure", violations.front()}}.dump());
 }
 
@@ -71,10 +73,21 @@ void take(const Json& told, StageVerdict& stage) {
   }
 }
 
+/// The checks that a stage which died in one of them did not come to. They are told by a child that
+/// makes none.
+void add_skipped(const PluginCheck& check, const Registry& registry, StageVerdict& stage) {
+  StageVerdict all;
+  run_apart([&](const Tell& tell) { tell_checks(registry, check, stage, true, tell); },
+            [&](const std::string& line) { take(Json::parse(line), all); }, check.seconds);
+  for (std::size_t i = stage.checks.size(); i < all.checks.size(); ++i) {
+    stage.checks.push_back({.name = all.checks[i].name, .is_skipped = true});
+  }
+}
+
 void check_stage_apart(const PluginCheck& check, const Registry& registry, StageVerdict& stage) {
   bool in_check = false;
   const std::string death =
-      run_apart([&](const Tell& tell) { tell_checks(registry, check, stage, tell); },
+      run_apart([&](const Tell& tell) { tell_checks(registry, check, stage, false, tell); },
                 [&](const std::string& line) {
                   const Json told = Json::parse(line);
                   in_check = told.contains("begin");
@@ -82,9 +95,13 @@ void check_stage_apart(const PluginCheck& check, const Registry& registry, Stage
                 },
                 check.seconds);
   if (death.empty()) return;
-  if (in_check) stage.checks.back().faults.push_back("the stage dies: " + death);
-  stage.failure = in_check ? "the checks after '" + stage.checks.back().name + "' were not made"
-                           : "dies outside of any check: " + death;
+  if (!in_check) {
+    stage.failure = "dies outside of any check: " + death;
+    return;
+  }
+  stage.checks.back().faults.push_back("the stage dies: " + death);
+  stage.failure = "the checks after '" + stage.checks.back().name + "' were not made";
+  add_skipped(check, registry, stage);
 }
 
 void require_stages_of(const std::vector<Override>& parameters, const PluginVerdict& verdict) {
@@ -103,9 +120,7 @@ void require_stages_of(const std::vector<Override>& parameters, const PluginVerd
 }  // namespace
 
 bool StageVerdict::passed() const {
-  return failure.empty() && std::ranges::all_of(checks, [](const CheckVerdict& check) {
-           return check.faults.empty();
-         });
+  return failure.empty() && std::ranges::all_of(checks, &CheckVerdict::passed);
 }
 
 bool PluginVerdict::passed() const {

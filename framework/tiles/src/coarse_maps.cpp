@@ -28,10 +28,8 @@ std::optional<CoarseMaps> match_coarse(const Pipeline& pipeline, const TiledRequ
   for (int s = 1; s < coarse.scale; s *= 2) range = halve(range);
   MatchRequest whole{reduced_pair(*request.pair, coarse.scale), std::move(range), std::nullopt,
                      ScenePart{.scale = coarse.scale}};
-  RunOptions here = options;
-  if (here.facts.calibration)
-    here.facts.calibration = reduced(*here.facts.calibration, coarse.scale);
-  coarse.maps = pipeline.run(whole, here);
+  // With the facts of the full images: levels count from these here, too.
+  coarse.maps = pipeline.run(whole, options);
   return coarse;
 }
 

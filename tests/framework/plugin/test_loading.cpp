@@ -153,6 +153,20 @@ TEST_CASE("an unknown name is not reported as one that could not be loaded") {
   CHECK_FALSE(contains(loaded.diagnostics.front().message, "could not be loaded"));
 }
 
+TEST_CASE("an unknown name that is like no other is told with the ways to load plugins") {
+  const Registry registry = xgm::testing::fake_registry();
+  const auto remedy = [&](const std::string& name) {
+    const LoadedPipeline loaded = load_with_filter(name, registry);
+    REQUIRE(loaded.diagnostics.size() == 1);
+    return loaded.diagnostics.front().remedy;
+  };
+  for (const char* way :
+       {"known filter plugins: ", "--plugin FILE", "XGM_PLUGIN_PATH", "xgm.load_plugin"}) {
+    CHECK_MESSAGE(contains(remedy("my_own_one"), way), remedy("my_own_one"));
+  }
+  CHECK(remedy("fake_fliter") == "did you mean 'fake_filter'?");
+}
+
 TEST_CASE("a path list holds files and folders, of which the shared objects are loaded by name") {
   const Folder folder("path");
   folder.link("sound");

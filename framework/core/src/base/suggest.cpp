@@ -41,8 +41,7 @@ std::string join(const std::vector<std::string>& names) {
   return text;
 }
 
-std::string suggest(std::string_view written, const std::vector<std::string>& names,
-                    const std::string& label) {
+std::string closest(std::string_view written, const std::vector<std::string>& names) {
   constexpr std::size_t kLongestName = 64;
   const std::string* best = nullptr;
   std::size_t minimum = std::max<std::size_t>(1, std::min<std::size_t>(3, written.size() / 2)) + 1;
@@ -54,7 +53,13 @@ std::string suggest(std::string_view written, const std::vector<std::string>& na
       best = &name;
     }
   }
-  if (best != nullptr) return "did you mean '" + *best + "'?";
+  return best == nullptr ? std::string() : *best;
+}
+
+std::string suggest(std::string_view written, const std::vector<std::string>& names,
+                    const std::string& label) {
+  const std::string meant = closest(written, names);
+  if (!meant.empty()) return "did you mean '" + meant + "'?";
   return names.empty() ? std::string() : label + ": " + join(names);
 }
 

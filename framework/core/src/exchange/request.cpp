@@ -15,6 +15,7 @@
 #include "xgm/base/error.hpp"
 #include "xgm/base/json.hpp"
 #include "xgm/base/parallel.hpp"
+#include "xgm/data/calibration_json.hpp"
 #include "xgm/data/interval_mapping.hpp"
 #include "xgm/io/file.hpp"
 #include "xgm/io/image_io.hpp"
@@ -81,14 +82,6 @@ void write_picture(const std::string& file, const Image& image, bool mirrored) {
   cv::Mat1b grey;
   cv::extractChannel(shown, grey, 0);
   write_png(file, grey);
-}
-
-Json calibration_json(const Calibration& camera) {
-  return {{"focal", camera.focal},
-          {"cx", camera.cx},
-          {"cy", camera.cy},
-          {"doffs", camera.doffs},
-          {"baseline", camera.baseline}};
 }
 
 /// Of the mirrored right image as base: its camera is the mirrored right one.
@@ -180,8 +173,7 @@ Request::Request(std::string kind, const ImagePair& pair, ImageFiles files, cons
           {"match", parts_->write_view("match", pair.match, files)}};
   if (!facts.calibration) return;
   const Calibration camera = reduced(*facts.calibration, place.level.scale);
-  json["calibration"] =
-      calibration_json(pair.is_reverse ? mirrored(camera, pair.size().width) : camera);
+  json["calibration"] = to_json(pair.is_reverse ? mirrored(camera, pair.size().width) : camera);
 }
 
 Request::~Request() = default;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "plugin/unknown_plugin.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/base/suggest.hpp"
 
@@ -114,7 +115,8 @@ std::vector<const PluginInfo*> find_plugins(const std::string& name, const Regis
   for (const PluginInfo* plugin : registry.plugins()) {
     names.push_back(slash == std::string::npos ? plugin->name : plugin->kind + "/" + plugin->name);
   }
-  throw UsageError("there is no plugin '" + name + "'; " + suggest(name, names, "plugins"));
+  throw UsageError("there is no plugin '" + name + "'; " +
+                   unknown_plugin_remedy(name, names, "plugins"));
 }
 
 std::vector<std::string> plugin_files(const Registry& registry) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "config/fields.hpp"
+#include "plugin/unknown_plugin.hpp"
 #include "stage/misbehaviour.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/base/scalar.hpp"
@@ -130,8 +131,8 @@ std::string Binder::choices_of(std::string_view kind) const {
 }
 
 std::string Binder::unknown_remedy(const std::string& name, std::string_view kind) const {
-  std::string remedy =
-      suggest(name, names_of(registry_.plugins(kind)), "known " + std::string(kind) + " plugins");
+  std::string remedy = unknown_plugin_remedy(name, names_of(registry_.plugins(kind)),
+                                             "known " + std::string(kind) + " plugins");
   for (const LoadFailure& failure : registry_.failures()) {
     remedy += " (not loaded: " + failure.file + ": " + failure.reason + ")";
   }

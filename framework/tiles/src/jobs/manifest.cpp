@@ -7,6 +7,7 @@
 #include "jobs/look_json.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/base/json.hpp"
+#include "xgm/data/calibration_json.hpp"
 #include "xgm/io/file.hpp"
 #include "xgm/io/map_in_parts.hpp"
 #include "xgm/io/output_folder.hpp"
@@ -17,7 +18,7 @@
 namespace xgm::tiles {
 namespace {
 
-constexpr int kFormat = 2;
+constexpr int kFormat = 3;
 
 Json to_json(const cv::Rect& rect) {
   return Json(std::vector<int>{rect.x, rect.y, rect.width, rect.height});
@@ -86,6 +87,12 @@ std::int64_t integer(const Json& json) {
   return std::visit([](auto value) { return static_cast<std::int64_t>(value); }, json.plain());
 }
 
+RunFacts facts_of(const Json& scene, const Json& calibration) {
+  RunFacts facts{.scene = scene.text()};
+  if (!calibration.is_null()) facts.calibration = calibration_of(calibration);
+  return facts;
+}
+
 InputFile input_of(const Json& json) {
   return {.role = json.at("role").text(),
           .file = json.at("file").text(),
@@ -127,10 +134,13 @@ double join_bytes(const JobManifest& manifest) {
 Json question(const JobManifest& manifest) {
   Json inputs = Json::array();
   for (const InputFile& input : manifest.inputs) inputs.push_back(to_json(input));
+  const RunFacts& facts = manifest.facts;
   return {{"format", kFormat},
           {"xgm", XGM_VERSION},
           {"pipeline", Json::parse(manifest.pipeline)},
           {"plugins", Json(manifest.plugins)},
+          {"scene", facts.scene},
+          {"calibration", facts.calibration ? xgm::to_json(*facts.calibration) : Json()},
           {"images", to_json(manifest.images)},
           {"found_in_images", tiles::to_json(manifest.look)},
           {"inputs", std::move(inputs)},
@@ -148,6 +158,7 @@ JobManifest manifest_of(const Json& json) {
   return {.pipeline_file = json.at("pipeline_file").text(),
           .pipeline = json.at("pipeline").dump(),
           .plugins = list_of(json.at("plugins"), text_of),
+          .facts = facts_of(json.at("scene"), json.at("calibration")),
           .images = images_of(json.at("images")),
           .look = look_of(json.at("found_in_images")),
           .inputs = list_of(json.at("inputs"), input_of),

@@ -65,16 +65,18 @@ JobManifest plan_jobs(const Pipeline& pipeline, const SceneInputs& inputs, const
   const TileOptions tiles =
       size ? tiles_of_size(*size) : fitting(plan, inputs.scene.size(), inputs.memory_limit.value());
   const TiledMatch match(pipeline, request, tiles);
-  JobManifest manifest{.file = file,
-                       .pipeline_file = pipeline.file(),
-                       .pipeline = pipeline.resolved_json(),
-                       .images = absolute(images),
-                       .look = look_of(inputs),
-                       .inputs = inputs.scene.inputs,
-                       .size = inputs.scene.size(),
-                       .disparities = inputs.range.hull(),
-                       .tiles = tiles,
-                       .threads = options.threads > 0 ? options.threads : thread_count()};
+  JobManifest manifest{
+      .file = file,
+      .pipeline_file = pipeline.file(),
+      .pipeline = pipeline.resolved_json(),
+      .facts = {.scene = inputs.scene.name, .calibration = inputs.scene.calibration},
+      .images = absolute(images),
+      .look = look_of(inputs),
+      .inputs = inputs.scene.inputs,
+      .size = inputs.scene.size(),
+      .disparities = inputs.range.hull(),
+      .tiles = tiles,
+      .threads = options.threads > 0 ? options.threads : thread_count()};
   for (InputFile& input : manifest.inputs) {
     input.file = std::filesystem::absolute(input.file).string();
   }

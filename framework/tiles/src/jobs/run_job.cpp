@@ -53,7 +53,7 @@ class JobRun {
          const RunOptions& options)
       : manifest_(manifest),
         job_(job),
-        options_(options),
+        options_(with_facts(options, manifest.facts)),
         match_(pipeline,
                {std::make_shared<const PairInFiles>(manifest.images, jobs_folder(manifest),
                                                     manifest.look),
@@ -71,6 +71,11 @@ class JobRun {
   }
 
  private:
+  static RunOptions with_facts(RunOptions options, const RunFacts& facts) {
+    options.facts = facts;
+    return options;
+  }
+
   MatchResult matched() {
     if (needs(kFit))
       match_.prepare_with(read_found(manifest_, find_job(manifest_, kFit)), options_);
@@ -92,7 +97,7 @@ class JobRun {
 
   const JobManifest& manifest_;
   const TileJob& job_;
-  const RunOptions& options_;
+  RunOptions options_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   TiledMatch match_;
 };

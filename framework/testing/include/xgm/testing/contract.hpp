@@ -34,6 +34,8 @@ struct Watch {
   std::function<void(const std::string& check)> begin = [](const std::string&) {};
   /// With the rules that were broken.
   std::function<void(const Violations&)> end = [](const Violations&) {};
+  /// Whether checks are told and not made.
+  bool only_names = false;
 };
 
 // What runs look at, too (see the kinds' fault_of()), is part of each contract. Common to all

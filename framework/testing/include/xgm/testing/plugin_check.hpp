@@ -18,16 +18,19 @@ struct PluginCheck {
   double seconds = 60;  ///< that a check may take
 };
 
-/// One check of one stage: it is passed if nothing is wrong.
-struct CheckVerdict {
+/// One check of one stage: it is passed if it was made and nothing is wrong.
+struct XGM_API CheckVerdict {
   std::string name;
   std::vector<std::string> faults{};
+  bool is_skipped = false;  ///< the stage died before its turn
+
+  bool passed() const { return faults.empty() && !is_skipped; }
 };
 
 struct XGM_API StageVerdict {
   std::string kind, name;
-  std::vector<CheckVerdict> checks{};  ///< those that were begun
-  std::string failure{};               ///< why it was not checked, or not to the end; else empty
+  std::vector<CheckVerdict> checks{};
+  std::string failure{};  ///< why it was not checked, or not to the end; else empty
 
   bool passed() const;
 };
@@ -44,5 +47,11 @@ struct XGM_API PluginVerdict {
 /// have no thread but the calling one, and have made no loop of several threads before. Throws
 /// UsageError if a parameter is of no stage of the file.
 XGM_API PluginVerdict check_plugin(const PluginCheck& check, const Registry& registry);
+
+/// One object: {file, passed, message, stages}.
+/// - stages: {kind, name, passed, message, checks}
+/// - checks: {name, result, messages}; the result is "passed", "failed" or "skipped"
+/// A message is null if there is none. docs/write_a_plugin.md says more.
+XGM_API std::string to_json(const std::string& file, const PluginVerdict& verdict);
 
 }  // namespace xgm::testing

@@ -12,6 +12,7 @@
 #include "xgm/data/map_summary.hpp"
 #include "xgm/io/pair_in_files.hpp"
 #include "xgm/pipeline/scene_inputs.hpp"
+#include "xgm/stage/run_facts.hpp"
 #include "xgm/tiles/tiled_run.hpp"
 
 namespace xgm::tiles {
@@ -31,6 +32,7 @@ struct JobManifest {
   std::string pipeline_file{};  ///< that the pipeline was read from, for people
   std::string pipeline{};       ///< resolved
   std::vector<std::string> plugins{};  ///< files that it needs
+  RunFacts facts{};                    ///< that stages of the jobs may ask for
   PairFiles images{};
   PairLook look{};                  ///< what was found in the images
   std::vector<InputFile> inputs{};  ///< what is read, by its content
