@@ -191,7 +191,9 @@ TEST_CASE("run: a range wider than the image is cut to it, and said so") {
   const Outcome outcome = desk.run("p.yaml scene --disparities -1000000:1000000");
   INFO(outcome.errors);
   CHECK(outcome.exit_code == 0);
+  CHECK(contains(outcome.errors, "warning: "));
   CHECK(contains(outcome.errors, "-39 to 39 are searched"));
+  CHECK(contains(read_file(desk / "xgm_output/run.json"), "-39 to 39 are searched"));
 }
 
 TEST_CASE("run: a plugin file that cannot be loaded is warned of and stops nothing") {

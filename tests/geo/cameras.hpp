@@ -8,6 +8,7 @@
 
 #include "xgm/geo/image/satellite_image.hpp"
 #include "xgm/geo/registry.hpp"
+#include "xgm/pipeline/pipeline.hpp"
 #include "xgm/plugin.hpp"
 
 namespace xgm::testing {

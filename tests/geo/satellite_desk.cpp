@@ -46,6 +46,15 @@ void SatelliteDesk::write_image(const std::string& name, int bands, bool with_ca
   write(camera, geo::rpc_text(scene.views[1].delivered));
 }
 
+void SatelliteDesk::write_vrt(const std::string& name, const std::string& of) const {
+  GDALAllRegister();
+  const geo::DatasetPtr source(GDALDataset::Open((*this / of).c_str()));
+  REQUIRE(source != nullptr);
+  const geo::DatasetPtr copy(GetGDALDriverManager()->GetDriverByName("VRT")->CreateCopy(
+      (*this / name).c_str(), source.get(), FALSE, nullptr, nullptr, nullptr));
+  REQUIRE(copy != nullptr);
+}
+
 cv::Vec4d SatelliteDesk::ground() const {
   const geo::SatelliteImage image = geo::open_image(*this / "scene/image_1.tif");
   const auto box = geo::footprint(image, cv::Rect({}, image.size), scene.ground);

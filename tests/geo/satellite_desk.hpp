@@ -19,6 +19,8 @@ struct SatelliteDesk : TemporaryFolder {
   }
   /// The second image's pixels as one more image of so many bands.
   void write_image(const std::string& name, int bands, bool with_camera = true) const;
+  /// A raster that consists of another one.
+  void write_vrt(const std::string& name, const std::string& of) const;
   /// Bounds of what both images show, degrees.
   cv::Vec4d ground() const;
 

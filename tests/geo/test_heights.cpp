@@ -50,6 +50,10 @@ TEST_CASE("UTM zones, and coordinates there and back, east first") {
   CHECK(utm_crs(55.65, -21.2) == "EPSG:32740");
   CHECK(utm_crs(-180, 0) == "EPSG:32601");
   CHECK(utm_crs(180, 10) == "EPSG:32660");
+  CHECK(epsg_code("EPSG:32740") == 32740);
+  CHECK(epsg_code(with_heights("EPSG:32740", "egm96")) == 32740);
+  CHECK(epsg_code(horizontal("EPSG:2154")) == 2154);  // as WKT
+  CHECK_FALSE(epsg_code("+proj=tmerc +lat_0=3 +lon_0=50 +x_0=17 +ellps=bessel +type=crs"));
   const CrsTransform to_utm("EPSG:4326", "EPSG:32740");
   const cv::Vec3d utm = to_utm.forward({55.65, -21.23, 0});
   CHECK(utm[0] == doctest::Approx(359886).epsilon(1e-3));   // east

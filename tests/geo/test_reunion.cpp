@@ -33,6 +33,30 @@ TEST_CASE("the shipped satellite pipelines are sound, and describe themselves") 
   CHECK(to_string(misnamed.diagnostics).find("tmgm16.yaml") != std::string::npos);
 }
 
+TEST_CASE("a file whose keys are those of surfaces is told that it lacks its type, and no more") {
+  Registry registry = Registry::with_builtins();
+  add_geo(registry);
+  const auto messages = [&](const std::string& text, const std::vector<Override>& changes = {}) {
+    const LoadedPipeline loaded = load_pipeline_text(text, "mine.yaml", registry, changes);
+    return loaded.pipeline ? "" : to_string(loaded.diagnostics);
+  };
+  const std::string lacks =
+      " is for pipelines of type surface, and this file names no type; add 'type: surface' at its "
+      "top";
+  const std::string surface = "xgm: 1\npairs: all\npointing: none\nmatching: tsgm8.yaml\n";
+  CHECK(messages(surface) == "mine.yaml:2:1: error: 'pairs'" + lacks);
+  CHECK(messages("matching: tsgm8\n") == "mine.yaml:1:1: error: 'matching'" + lacks);
+  CHECK(messages(surface + "fusio: median\n") ==
+        "mine.yaml:2:1: error: 'pairs'" + lacks +
+            "\nmine.yaml:5:1: error: a pipeline has no parameter 'fusio'; did you mean 'fusion'?");
+  CHECK(messages(surface, {{"type", "surface"}, {"matching.matcher.scale", "4"}}).empty());
+  CHECK(messages("type: surface\n" + surface).empty());
+  // Files of pairs with a key of surfaces are files of pairs.
+  const std::string mixed = messages("matcher: opencv_sgbm\npointing: none\n");
+  CHECK(mixed.find("2:1: error: a pipeline has no parameter 'pointing'") != std::string::npos);
+  CHECK(mixed.find("type surface") == std::string::npos);
+}
+
 TEST_CASE("Réunion without a DEM: the surface agrees with that of another program") {
   const auto data = test_data("a Pleiades pair and its surface");
   if (!data) return;

@@ -39,7 +39,7 @@ void check_refused(const SatelliteDesk& desk, const std::string& arguments,
     CAPTURE(part);
     CHECK(contains(outcome.errors, part));
   }
-  CHECK((!fs::exists(desk / "out") || fs::is_empty(desk / "out")));
+  CHECK_FALSE(fs::exists(desk / "out"));
 }
 
 RpcModel moved_east(RpcModel camera, double degrees) {
@@ -69,6 +69,25 @@ TEST_CASE("images: without a camera, twice, a folder, a text, missing, no two") 
   check_refused(desk, "--images scene/image_1.tif text.tif", {"text.tif: is no raster"});
   check_refused(desk, "--images scene/image_1.tif none.tif", {"none.tif: there is no such file"});
   check_refused(desk, "--images scene/image_1.tif", {"two satellite images"});
+}
+
+TEST_CASE("what stands in the wrong place: images, values, a scene, a truth without a CRS") {
+  const SatelliteDesk desk;
+  check_refused(desk, "--images scene/image_1.tif,scene/image_2.tif",
+                {"image_1.tif,scene/image_2.tif is one", "blanks between them"});
+  check_refused(desk, "scene/image_1.tif scene/image_2.tif",
+                {"image_1.tif' is an image", "those of satellites as --images FILE FILE"});
+  check_refused(desk, kPair + "--area 10 20 64 64",
+                {"scene excludes --images", "'20' is taken for the scene"});
+  write_raster(desk / "true.tif", {cv::Mat1f(30, 40, 420.0F), {}, {}, {}});
+  check_refused(desk, kPair + "--truth true.tif", {"true.tif: this truth has no CRS"});
+  for (const char* call : {"run scene/scene.yaml --output out", "check scene/scene.yaml"}) {
+    const Outcome outcome = desk.call(call);
+    CAPTURE(outcome.errors);
+    CHECK(outcome.exit_code == 2);
+    CHECK(contains(outcome.errors, "is a scene of satellite images; name a pipeline before it"));
+    CHECK(std::ranges::count(outcome.errors, '\n') == 1);
+  }
 }
 
 TEST_CASE("images: of different ground, of different bands, no such band") {
@@ -179,7 +198,7 @@ TEST_CASE("a scene in YAML: all mistakes at once, each with its place") {
     CAPTURE(place);
     CHECK(contains(outcome.errors, place));
   }
-  CHECK((!fs::exists(desk / "out") || fs::is_empty(desk / "out")));
+  CHECK_FALSE(fs::exists(desk / "out"));
   desk.write("s.yaml", "dem: scene/dem.tif\n");
   check_refused(desk, "s.yaml", {"s.yaml:1:1", "images"});
   desk.write("s.yaml", "images: [\n");

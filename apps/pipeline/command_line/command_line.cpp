@@ -73,9 +73,21 @@ void require_named_images(const std::vector<std::string>& arguments, const CLI::
     const bool has_place = before.empty();
     if (!takes_list(command, before)) before.clear();
     if (has_place && looks_like_image(argument) && !std::filesystem::is_directory(argument)) {
-      throw UsageError("'" + argument + "' is an image: give images as --left FILE --right FILE");
+      const bool of_satellites = command.get_option_no_throw("--images") != nullptr;
+      throw UsageError("'" + argument + "' is an image: give images as --left FILE --right FILE" +
+                       (of_satellites ? ", those of satellites as --images FILE FILE" : ""));
     }
   }
+}
+
+/// What stands behind no option, and behind those that take one value.
+std::string taken_for_scene(const CLI::App& app) {
+  for (const CLI::App* command : app.get_subcommands()) {
+    const CLI::Option* const scene = command->get_option_no_throw("scene");
+    if (scene == nullptr || scene->count() == 0) continue;
+    return "; '" + scene->results().front() + "' is taken for the scene";
+  }
+  return {};
 }
 
 /// --help and the like, which stand before a subcommand, or in place of it.
@@ -140,6 +152,8 @@ int CommandLine::run() {
   require_known_names();
   try {
     app_->parse(std::vector<std::string>(arguments_.rbegin(), arguments_.rend()));
+  } catch (const CLI::ExcludesError& error) {
+    throw UsageError(error.what() + taken_for_scene(*app_));
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) {  // help and version
       app_->exit(error);

@@ -8,6 +8,7 @@
 #include "xgm/base/error.hpp"
 #ifdef XGM_HAS_GEO
 #include "xgm/geo/registry.hpp"
+#include "xgm/geo/run/surface_files.hpp"
 #endif
 #include "xgm/pipeline/lookup.hpp"
 
@@ -72,6 +73,23 @@ std::vector<Override> parse_overrides(const std::vector<std::string>& assignment
   return overrides;
 }
 
+namespace {
+
+/// Whether a file in the place of a pipeline is a scene of satellite images.
+bool is_scene([[maybe_unused]] const std::string& file) {
+#ifdef XGM_HAS_GEO
+  try {
+    return !geo::read_surface_scene(file).images.empty();
+  } catch (const UsageError&) {
+    return false;
+  }
+#else
+  return false;
+#endif
+}
+
+}  // namespace
+
 std::optional<Pipeline> load_named(const std::string& name, const Registry& registry,
                                    const std::vector<Override>& overrides) {
   std::string file;
@@ -82,6 +100,11 @@ std::optional<Pipeline> load_named(const std::string& name, const Registry& regi
     return std::nullopt;
   }
   LoadedPipeline loaded = load_pipeline(file, registry, overrides);
+  if (!loaded.pipeline && is_scene(file)) {
+    log_error(file + ": is a scene of satellite images; name a pipeline before it: pipeline run " +
+              "dsm_tmgm16 " + file);
+    return std::nullopt;
+  }
   for (const Diagnostic& diagnostic : loaded.diagnostics) {
     Console::instance().message(to_string(diagnostic));
   }

@@ -18,8 +18,9 @@ void describe(TieSearch& search, ParameterSet& set) {
 std::vector<KeypointMatch> find_ties(const SatelliteImage& base, const SatelliteImage& match,
                                      const HeightInterval& heights, const TieSearch& search) {
   std::vector<KeypointMatch> all;
+  // Rounded: of sides that are a little longer than a window, two would show the same twice.
   const auto count = [&](int length) {
-    return std::clamp((length + search.window - 1) / search.window, 1, search.windows);
+    return std::clamp((length + search.window / 2) / search.window, 1, search.windows);
   };
   const int columns = count(base.size.width), rows = count(base.size.height);
   const cv::Size size(std::min(search.window, base.size.width),

@@ -17,7 +17,8 @@ struct TieSearch {
 };
 void describe(TieSearch& search, ParameterSet& set);
 
-/// Of windows evenly spread over the base image, the outermost at its borders.
+/// Of windows evenly spread over the base image, the outermost at its borders; of a side that is
+/// shorter than one and a half windows, one in the middle.
 std::vector<KeypointMatch> find_ties(const SatelliteImage& base, const SatelliteImage& match,
                                      const HeightInterval& heights, const TieSearch& search);
 

@@ -20,6 +20,7 @@ class Keypoints final : public RangePrior {
     double min_margin = 20;
     double max_offset = 2;
     int min_matches = 50;
+    int surroundings = 2000;
   };
 
   static void describe(Parameters& p, ParameterSet& set) {
@@ -32,8 +33,13 @@ class Keypoints final : public RangePrior {
         .unit("px")
         .range(0.1, 100);
     set.add("min_matches", p.min_matches,
-            "With fewer the heights of the cameras are searched, with a warning.")
+            "With fewer in the window those around it count, too; with fewer around it the heights "
+            "of the cameras are searched, with a warning.")
         .range(1, 100000);
+    set.add("surroundings", p.surroundings,
+            "Largest side of the window with what is around it; 0: the window alone.")
+        .unit("px")
+        .range(0, 20000);
   }
 
   explicit Keypoints(Parameters parameters) : p_(parameters) {}
@@ -42,9 +48,9 @@ class Keypoints final : public RangePrior {
                          const cv::Rect& window, const HeightField*,
                          const Context& context) const override {
     const HeightInterval whole = common_heights(base.camera, match.camera);
-    std::vector<double> found = heights_of_keypoints(base, match, window, whole);
+    std::vector<double> found = heights_around(base, match, window, whole, context);
     context.figure("keypoints", static_cast<double>(found.size()));
-    if (found.size() < static_cast<std::size_t>(p_.min_matches)) {
+    if (!are_enough(found)) {
       context.warn("only " + std::to_string(found.size()) +
                    " key points match; the heights of the cameras are searched");
       return whole;
@@ -59,6 +65,30 @@ class Keypoints final : public RangePrior {
   }
 
  private:
+  bool are_enough(const std::vector<double>& heights) const {
+    return heights.size() >= static_cast<std::size_t>(p_.min_matches);
+  }
+
+  /// Of the window; if they are too few, of one twice as wide and high around it, and so on.
+  std::vector<double> heights_around(const SatelliteImage& base, const SatelliteImage& match,
+                                     const cv::Rect& window, const HeightInterval& whole,
+                                     const Context& context) const {
+    std::vector<double> heights = heights_of_keypoints(base, match, window, whole);
+    for (cv::Rect around = window; !are_enough(heights);) {
+      const cv::Rect wider = widened(around, base.size);
+      if (wider == around || std::max(wider.width, wider.height) > p_.surroundings) break;
+      around = wider;
+      context.figure("surroundings_px", std::max(around.width, around.height));
+      heights = heights_of_keypoints(base, match, around, whole);
+    }
+    return heights;
+  }
+
+  static cv::Rect widened(const cv::Rect& window, cv::Size image) {
+    const cv::Point more((window.width + 1) / 2, (window.height + 1) / 2);
+    return cv::Rect(window.tl() - more, window.br() + more) & cv::Rect({}, image);
+  }
+
   std::vector<double> heights_of_keypoints(const SatelliteImage& base, const SatelliteImage& match,
                                            const cv::Rect& window,
                                            const HeightInterval& whole) const {

@@ -48,3 +48,23 @@ TEST_CASE("make_output_folder: makes folders in folders, and leaves no trace of 
                  "--output " + (folder / "file") + ": cannot be made a folder"));
   CHECK(contains(error_of([&] { require_writable("/proc", "--json "); }), "--json /proc"));
 }
+
+TEST_CASE("OutputFolder: what it made and nothing came into does not stay, all else does") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "there");
+  for (const char* name : {"a/b/c", "a/b/c/", "there/d", "there"}) {
+    CAPTURE(name);
+    {
+      const OutputFolder made(folder / name);
+      CHECK(std::filesystem::is_directory(folder / name));
+    }
+    CHECK_FALSE(std::filesystem::exists(folder / "a"));
+    CHECK(std::filesystem::is_empty(folder / "there"));
+  }
+  {
+    const OutputFolder made(folder / "a/b/c");
+    folder.write("a/mine", "");
+  }
+  CHECK(std::filesystem::exists(folder / "a/mine"));
+  CHECK_FALSE(std::filesystem::exists(folder / "a/b"));
+}

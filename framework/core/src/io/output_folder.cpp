@@ -24,6 +24,21 @@ void make_output_folder(const std::string& folder, const std::string& what) {
   require_writable(folder, what);
 }
 
+OutputFolder::OutputFolder(const std::string& folder, const std::string& what) {
+  std::error_code unusable;
+  for (fs::path path = fs::absolute(folder); !path.empty() && !fs::exists(path, unusable);
+       path = path.parent_path()) {
+    if (path.has_filename()) made_.push_back(path.string());  // "a/" is "a", once
+  }
+  make_output_folder(folder, what);
+}
+
+OutputFolder::~OutputFolder() {
+  for (const std::string& folder : made_) {
+    if (::rmdir(folder.c_str()) != 0) break;  // something is in it
+  }
+}
+
 void require_writable(const std::string& folder, const std::string& what) {
   try {
     const UnfinishedFile trial((fs::path(folder) / ".writable").string());

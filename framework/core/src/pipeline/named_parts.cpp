@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "config/fields.hpp"
+#include "pipeline/family_meant.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/pipeline/lookup.hpp"
 #include "xgm/stage/pipeline.hpp"
@@ -35,13 +36,7 @@ std::optional<Node> read_part(const std::string& file, Diagnostics& diagnostics)
   std::optional<Node> part = text ? read_yaml(*text, file, diagnostics) : std::nullopt;
   if (!part || !part->is_map()) return part;
   std::erase_if(part->entries, [](const Entry& entry) { return entry.key == "xgm"; });
-  if (part->find("type") == nullptr) {
-    Node type;
-    type.kind = Node::Kind::scalar;
-    type.where = part->where;
-    type.scalar = PipelineFamily::kDefault;
-    part->entries.insert(part->entries.begin(), Entry{"type", part->where, std::move(type)});
-  }
+  if (part->find("type") == nullptr) put_type(*part, PipelineFamily::kDefault);
   return part;
 }
 

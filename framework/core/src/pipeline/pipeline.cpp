@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/run_state.hpp"
+#include "pipeline/family_meant.hpp"
 #include "pipeline/graph.hpp"
 #include "pipeline/named_parts.hpp"
 #include "pipeline/overrides.hpp"
@@ -127,6 +128,8 @@ struct PipelineLoader {
   static LoadedPipeline load(Node root, const std::string& name, const Registry& registry,
                              const std::vector<Override>& overrides, Diagnostics diagnostics) {
     LoadedPipeline result;
+    const bool sets_type = std::ranges::count(overrides, "type", &Override::path) > 0;
+    if (root.is_map() && !sets_type) put_type_meant(root, registry, diagnostics);
     if (root.is_map()) read_named_parts(root, registry, diagnostics);
     for (const Override& change : overrides) {
       apply_override(root, change, diagnostics);

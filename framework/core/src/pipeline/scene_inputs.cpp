@@ -134,9 +134,11 @@ DisparityRange make_range(const SceneRequest& request, const Search& search, Sce
                 std::to_string(size.width) + " px wide; give a smaller range with --disparities");
   }
   if (possible != wanted) {
-    scene.notes.push_back("disparities " + text_of(wanted) + " reach beyond images " +
-                          std::to_string(size.width) + " px wide: " + text_of(possible) +
-                          " are searched");
+    // What a scene says may be of its full size; who asks for it has mistaken something.
+    (request.disparities ? scene.warnings : scene.notes)
+        .push_back("disparities " + text_of(wanted) + " reach beyond images " +
+                   std::to_string(size.width) + " px wide: " + text_of(possible) +
+                   " are searched");
   } else if (possible.size() >= size.width && size.width > 1) {
     scene.notes.push_back("disparities " + text_of(wanted) + " (" + search.from +
                           ") are as many as the image is wide; a narrower range is faster and "

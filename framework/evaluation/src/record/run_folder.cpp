@@ -18,11 +18,10 @@ namespace {
 constexpr const char* kUnfinishedFile = "unfinished.json";
 constexpr const char* kOption = "--output";
 
-/// The folder that is to be locked.
-const std::string& prepared(const std::string& folder, const std::vector<NamedFile>& inputs,
-                            const std::vector<NamedFile>& planned) {
+/// The folder that may be made.
+const std::string& checked(const std::string& folder, const std::vector<NamedFile>& inputs,
+                           const std::vector<NamedFile>& planned) {
   require_apart(inputs, planned);
-  make_output_folder(folder, std::string(kOption) + " ");
   return folder;
 }
 
@@ -45,12 +44,10 @@ std::vector<OutputFile> listed_in(const std::string& file) {
 }
 
 /// What is there under names that results have which not every run writes.
-std::vector<std::string> optional_results(const fs::path& folder) {
-  std::vector<std::string> names;
+std::vector<std::string> optional_results(const fs::path& folder, std::vector<std::string> names) {
   std::error_code unusable;
-  for (const char* name : {kConfidenceFile, kReportFile, kExplanationsFile}) {
-    if (fs::exists(folder / name, unusable)) names.push_back(name);
-  }
+  names.insert(names.end(), {kConfidenceFile, kReportFile, kExplanationsFile});
+  std::erase_if(names, [&](const auto& name) { return !fs::exists(folder / name, unusable); });
   const fs::path dumps = folder / kDumpFolder;
   if (!fs::is_directory(dumps, unusable)) {
     if (fs::exists(dumps, unusable)) names.push_back(kDumpFolder);
@@ -69,8 +66,10 @@ bool holds(const std::vector<std::string>& names, const std::string& name) {
 }  // namespace
 
 RunFolder::RunFolder(const std::string& folder, const std::vector<NamedFile>& planned,
-                     const std::vector<NamedFile>& inputs)
-    : folder_(folder), lock_(prepared(folder, inputs, planned)) {
+                     const std::vector<NamedFile>& inputs, const std::vector<std::string>& optional)
+    : folder_(folder),
+      made_(checked(folder, inputs, planned), std::string(kOption) + " "),
+      lock_(folder) {
   for (const char* list : {kRecordFile, kUnfinishedFile}) {
     for (OutputFile& output : listed_in(file(list))) earlier_.push_back(std::move(output));
   }
@@ -83,21 +82,21 @@ RunFolder::RunFolder(const std::string& folder, const std::vector<NamedFile>& pl
   for (const OutputFile& output : earlier_) {
     if (!holds(planned_, output.file)) require_apart(inputs, {{kOption, file(output.file)}});
   }
-  refuse_lookalikes();
+  refuse_lookalikes(optional);
 }
 
 std::string RunFolder::file(const std::string& name) const {
   return (fs::path(folder_) / name).string();
 }
 
-void RunFolder::refuse_lookalikes() const {
+void RunFolder::refuse_lookalikes(const std::vector<std::string>& optional) const {
   const auto refuse = [&](const std::string& name, const std::string& reason) {
     throw UsageError(std::string(kOption) + " " + folder_ + ": " + file(name) + " " + reason +
                      ", and would be taken for a result of this run; move it away, or give "
                      "another " +
                      kOption);
   };
-  for (const std::string& name : optional_results(folder_)) {
+  for (const std::string& name : optional_results(folder_, optional)) {
     const bool known = std::any_of(earlier_.begin(), earlier_.end(),
                                    [&](const OutputFile& output) { return output.file == name; });
     if (!known && !holds(planned_, name)) refuse(name, "is no file that run.json lists");

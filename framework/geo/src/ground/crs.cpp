@@ -103,6 +103,22 @@ std::string crs_name(const Crs& crs) {
   return proj_get_name(make_crs(context.get(), crs).get());
 }
 
+std::optional<int> epsg_code(const Crs& crs) {
+  const ProjContext context = make_context();
+  const Proj flat = make_crs(context.get(), horizontal(crs));
+  constexpr int kCertain = 100;  // %, that a CRS without a code is the one of EPSG
+  int* confidence = nullptr;
+  PJ_OBJ_LIST* const found = proj_identify(context.get(), flat.get(), "EPSG", nullptr, &confidence);
+  std::optional<int> code;
+  if (found != nullptr && proj_list_get_count(found) > 0 && confidence[0] == kCertain) {
+    const Proj best(proj_list_get(context.get(), found, 0));
+    code = std::stoi(proj_get_id_code(best.get(), 0));
+  }
+  proj_int_list_destroy(confidence);
+  proj_list_destroy(found);
+  return code;
+}
+
 std::string heights_name(const Crs& crs) {
   const ProjContext context = make_context();
   const Proj object = make_crs(context.get(), crs);

@@ -72,7 +72,8 @@ std::string encode(GDALDriver& cog, GDALDataset& dataset, bool labels, const std
   return encoded;
 }
 
-/// `values` are floats, or codes of 8 bit.
+/// `values` are floats, or codes of 8 bit. Replaces the file, and what GDAL and others have kept
+/// beside it: that belongs to what it held.
 void write_cog(const std::string& file, const cv::Mat& values, const GridPlace& place,
                const Crs& grid_crs, const std::map<std::string, std::string>& metadata) {
   GDALAllRegister();
@@ -104,6 +105,7 @@ void write_cog(const std::string& file, const cv::Mat& values, const GridPlace& 
   require(band.RasterIO(GF_Write, 0, 0, whole.cols, whole.rows, whole.data, whole.cols, whole.rows,
                         type, 0, 0) == CE_None,
           file, "cannot be written");
+  for (const char* beside : {".aux.xml", ".ovr", ".msk"}) remove_file(file + beside);
   write_file(file, encode(*cog, *dataset, labels, file));
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "ground/gdal.hpp"
 #include "ground/paths.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/geo/ground/dem.hpp"
@@ -22,7 +23,10 @@ void require_one_each(const std::string& what, std::size_t count, std::size_t im
 /// By their names, before anything is opened.
 void check(const SurfaceFiles& files) {
   const std::size_t count = files.images.size();
-  if (count < 2) throw UsageError("images: give at least two satellite images of the same ground");
+  if (count < 2) {
+    throw UsageError("images: " + (count == 1 ? files.images.front() + " is one; " : "") +
+                     "give at least two satellite images of the same ground, blanks between them");
+  }
   require_one_each("masks", files.masks.size(), count);
   require_one_each("cameras", files.cameras.size(), count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -130,16 +134,17 @@ SurfaceRequest read_surface_request(const SurfaceFiles& files) {
 std::vector<NamedFile> files_of(const SurfaceFiles& files) {
   std::vector<NamedFile> read;
   const auto add = [&](const std::string& what, const std::vector<std::string>& names) {
-    for (const std::string& name : names) {
-      if (!name.empty()) read.push_back({what, name});
-    }
+    for (const std::string& name : names) read.push_back({what, name});
   };
-  add("image", files.images);
-  add("mask", files.masks);
+  const auto add_rasters = [&](const std::string& what, const std::vector<std::string>& names) {
+    for (const std::string& name : names) add(what, files_of_raster(name));
+  };
+  add_rasters("image", files.images);
+  add_rasters("mask", files.masks);
   add("camera", files.cameras);
   add("cloud", files.clouds);
-  add("truth", {files.truth});
-  add("DEM", dem_files(files.dem));
+  if (!files.truth.empty()) add_rasters("truth", {files.truth});
+  add_rasters("DEM", dem_files(files.dem));
   if (is_there(files.area)) add("area", {files.area});
   return read;
 }

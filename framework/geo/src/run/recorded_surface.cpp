@@ -47,6 +47,18 @@ std::vector<NamedFile> files_written(const SurfaceFiles& files,
   return written;
 }
 
+/// GDAL takes NAME_rpc.txt beside an image for the camera of it, before what the image holds.
+void require_no_cameras_beside(const std::vector<std::string>& images, const std::string& folder) {
+  for (const std::string& image : images) {
+    std::error_code unknown;
+    const fs::path here = fs::absolute(image).parent_path();
+    if (folder.empty() || !fs::equivalent(here, folder, unknown)) continue;
+    throw UsageError("--output " + folder + ": the camera of " + image +
+                     " that is written there would be taken for the image's own by later runs; "
+                     "give another folder");
+  }
+}
+
 CloudRequest read_cloud_request(const SurfaceFiles& files) {
   if (!files.images.empty() || !files.masks.empty() || !files.dem.empty() ||
       !files.cameras.empty() || files.band != 0) {
@@ -143,6 +155,7 @@ RecordedSurface record_surface(const Pipeline& pipeline, const SurfaceFiles& fil
   const auto* const family = dynamic_cast<const SurfaceFamily*>(&pipeline.family());
   if (family == nullptr) throw UsageError(pipeline.file() + ": is no pipeline of type surface");
   if (!request.geoid.empty()) require_geoid(request.geoid);
+  require_no_cameras_beside(files.images, request.folder);
   const std::vector<NamedFile> inputs = files_read(pipeline, files, request);
   request.tell(files.clouds.empty() ? "reading the images" : "reading the clouds");
   std::optional<TruthRecord> truth;
@@ -150,7 +163,7 @@ RecordedSurface record_surface(const Pipeline& pipeline, const SurfaceFiles& fil
   const auto job = make_job(*family, files, truth ? &*truth : nullptr);
   std::optional<RunFolder> folder;
   if (!request.folder.empty()) {
-    folder.emplace(request.folder, files_written(files, request), inputs);
+    folder.emplace(request.folder, files_written(files, request), inputs, optional_names());
   }
   RunRecorder recorder;
   SearchVolume search;
@@ -182,7 +195,7 @@ RecordedSurface record_surface(const Pipeline& pipeline, const SurfaceFiles& fil
   json["peak_memory_bytes"] = peak_memory();
   json["search"] = {{"disparities_per_pixel", search.per_pixel()}, {"widest", search.widest()}};
   if (truth) {
-    recorded.truth = truth->judge(recorded.result, warnings.all);
+    recorded.truth = truth->judge(recorded.result, observers);
     json["truth"] = truth_json(recorded.truth);
   }
   json["stages"] = to_json(recorder.stages());

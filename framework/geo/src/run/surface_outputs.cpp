@@ -50,6 +50,10 @@ std::vector<std::string> output_names(const SurfaceFiles& files) {
   return names;
 }
 
+std::vector<std::string> optional_names() {
+  return std::vector<std::string>(kOfImages.begin(), kOfImages.end());
+}
+
 void write_outputs(const SurfaceResult& result, const RunFolder& folder) {
   // GeoTIFF has no projected CRS of three dimensions: what heights are counted from is metadata.
   const Raster& heights = result.fused.heights;
@@ -71,7 +75,9 @@ void write_outputs(const SurfaceResult& result, const RunFolder& folder) {
 }
 
 Json grid_json(const GridSpec& grid, const Raster& heights) {
+  const std::optional<int> epsg = epsg_code(grid.crs);
   return {{"crs", crs_name(grid.crs)},
+          {"epsg", epsg ? Json(*epsg) : Json()},
           {"left", grid.place.left},
           {"top", grid.place.top},
           {"resolution_m", grid.place.step_x},

@@ -8,6 +8,9 @@
 
 namespace xgm::geo {
 
+/// Of output_names(), those that not every run writes.
+std::vector<std::string> optional_names();
+
 void write_outputs(const SurfaceResult& result, const RunFolder& folder);
 
 Json grid_json(const GridSpec& grid, const Raster& heights);

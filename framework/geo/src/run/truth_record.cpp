@@ -6,8 +6,19 @@
 
 namespace xgm::geo {
 
-SurfaceTruth TruthRecord::judge(const SurfaceResult& result,
-                                std::vector<std::string>& warnings) const {
+TruthRecord::TruthRecord(const std::string& file) {
+  try {
+    truth_ = read_raster(file);
+  } catch (const Error& error) {
+    throw UsageError(error.message());  // nothing has been matched yet
+  }
+  if (!truth_.crs.empty()) return;
+  throw UsageError(file +
+                   ": this truth has no CRS, so that a surface cannot be compared with it; give "
+                   "true heights with one (gdal_edit.py -a_srs)");
+}
+
+SurfaceTruth TruthRecord::judge(const SurfaceResult& result, Observer& observer) const {
   SurfaceTruth judged;
   try {
     judged.surface = compare_surfaces(on_grid_of(result.fused.heights, truth_), truth_.values);
@@ -15,7 +26,9 @@ SurfaceTruth TruthRecord::judge(const SurfaceResult& result,
     for (const Window& window : windows_) judge.add(window.pair, window.map);
     judged.disparities = judge.evaluate();
   } catch (const Error& error) {
-    warnings.push_back("truth: " + error.message());
+    StagePlace place;
+    place.path = "truth";
+    observer.log(LogLevel::warning, place, error.message());
   }
   return judged;
 }

@@ -11,13 +11,13 @@ namespace xgm::geo {
 /// Keeps the maps of a run until it has ended: judging them takes time that is not the run's.
 class TruthRecord {
  public:
-  /// Throws Error if the file cannot be read.
-  explicit TruthRecord(const std::string& file) : truth_(read_raster(file)) {}
+  /// Throws UsageError if the file cannot be read, or says no place on the ground.
+  explicit TruthRecord(const std::string& file);
   void add(const RectifiedPair& pair, const DisparityMap& map) { windows_.push_back({pair, map}); }
 
-  /// Of the fused surface, and of the disparities. What cannot be judged is left out, and
-  /// `warnings` say why.
-  SurfaceTruth judge(const SurfaceResult& result, std::vector<std::string>& warnings) const;
+  /// Of the fused surface, and of the disparities. What cannot be judged is left out, and a warning
+  /// says why.
+  SurfaceTruth judge(const SurfaceResult& result, Observer& observer) const;
 
  private:
   struct Window {

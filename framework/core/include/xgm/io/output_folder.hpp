@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "xgm/base/export.hpp"
 
@@ -11,6 +12,20 @@ namespace xgm {
 /// Makes the folder if it is missing. Throws UsageError if it cannot be made or written to; the
 /// message begins with `what` ("--output ").
 XGM_API void make_output_folder(const std::string& folder, const std::string& what = {});
+
+/// A folder that is made if it is missing, with those above it, and is taken away again at the end
+/// if nothing has come into it.
+class XGM_API OutputFolder {
+ public:
+  /// Throws what make_output_folder() throws.
+  explicit OutputFolder(const std::string& folder, const std::string& what = {});
+  ~OutputFolder();
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+
+ private:
+  std::vector<std::string> made_;  ///< the innermost first
+};
 
 /// Throws UsageError if no file can be written to the folder ("" is the current one); the message
 /// begins with `what`.

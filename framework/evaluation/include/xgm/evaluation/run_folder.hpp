@@ -21,14 +21,15 @@ inline constexpr const char* kUnfinishedFolder = "unfinished.xgm";
 /// Belongs to one run as long as it exists. Before the run's first file is there, what an earlier
 /// run wrote is removed, its record first. From then on until the record is written,
 /// unfinished.json lists what has been written, so that the next run knows what a run that did not
-/// end has left.
+/// end has left. A folder that a run makes and writes nothing to does not stay.
 class XGM_API RunFolder {
  public:
-  /// Makes the folder. `planned`: the files that the run is going to write, here or elsewhere.
-  /// Throws UsageError if an input would be lost, another run is at work here, or a file is here
-  /// that would be taken for this run's and that no run has written.
+  /// Makes the folder. `planned`: the files that the run is going to write, here or elsewhere;
+  /// `optional`: names that its results may have, too, beside those of all runs. Throws UsageError
+  /// if an input would be lost, another run is at work here, or a file is here that would be taken
+  /// for this run's and that no run has written.
   RunFolder(const std::string& folder, const std::vector<NamedFile>& planned,
-            const std::vector<NamedFile>& inputs);
+            const std::vector<NamedFile>& inputs, const std::vector<std::string>& optional = {});
 
   std::string file(const std::string& name) const;
 
@@ -44,10 +45,11 @@ class XGM_API RunFolder {
   void discard();
 
  private:
-  void refuse_lookalikes() const;
+  void refuse_lookalikes(const std::vector<std::string>& optional) const;
   void write_list() const;
 
   std::string folder_;
+  OutputFolder made_;
   FolderLock lock_;
   std::vector<OutputFile> earlier_;
   std::vector<std::string> planned_, announced_;  ///< relative to the folder

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <opencv2/core.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -36,6 +37,8 @@ XGM_API bool is_wgs84(const Crs& crs);
 XGM_API bool is_projected(const Crs& crs);
 /// "WGS 84 / UTM zone 40S"
 XGM_API std::string crs_name(const Crs& crs);
+/// 32740 of "WGS 84 / UTM zone 40S", heights or not; none if EPSG has no such CRS.
+XGM_API std::optional<int> epsg_code(const Crs& crs);
 /// What the heights of a CRS are counted from: "EGM96 height", or "WGS 84 ellipsoid".
 XGM_API std::string heights_name(const Crs& crs);
 /// The zone of UTM on WGS 84 that a place lies in: "EPSG:32740".
