@@ -170,18 +170,29 @@ TEST_CASE(
 
 TEST_CASE("run_scene: notes and warnings are in the result, and told with an empty path") {
   const Files files;
+  const Pipeline pipeline = load(kMatcher + "disparities: [-1000, 1000]\n");
   SceneRequest request = files.request();
-  request.disparities = Interval{-1000, 1000};
+  request.disparities.reset();
   std::get<SceneFiles>(request.scene).truth.disparity.file = files.write("truth.pfm", "junk");
   Listener listener;
-  const SceneRun run = run_scene(load(), request, {.observer = &listener});
+  const SceneRun run = run_scene(pipeline, request, {.observer = &listener});
   REQUIRE(run.scene.notes.size() == 1);
   CHECK(contains(run.scene.notes[0], "-39 to 39 are searched"));
   REQUIRE(run.warnings.size() == 1);
   CHECK(contains(run.warnings[0], "the scene's truth is not used: "));
   CHECK(listener.told ==
         std::vector<std::string>{"note |" + run.scene.notes[0], "warning |" + run.warnings[0]});
-  CHECK(run_scene(load(), request).warnings == run.warnings);
+  CHECK(run_scene(pipeline, request).warnings == run.warnings);
+}
+
+TEST_CASE("run_scene: disparities beyond the images are warned of if they were asked for") {
+  const Files files;
+  SceneRequest request = files.request();
+  request.disparities = Interval{-1000, 1000};
+  const SceneRun run = run_scene(load(), request);
+  CHECK(run.scene.notes.empty());
+  REQUIRE(run.warnings.size() == 1);
+  CHECK(contains(run.warnings[0], "-39 to 39 are searched"));
 }
 
 TEST_CASE("run_scene: the truth that was asked for goes before the scene's own") {

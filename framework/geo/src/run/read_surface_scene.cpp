@@ -15,6 +15,9 @@
 namespace xgm::geo {
 namespace {
 
+constexpr std::uint64_t kMaxBytes = std::uint64_t{1}
+                                    << 24;  // what is named by mistake may have no end
+
 namespace fs = std::filesystem;
 
 // What `generated` holds is for people: what a scene was made with.
@@ -49,7 +52,7 @@ class Reader {
 
   YAML::Node parse() {
     try {
-      return YAML::Load(read_file(file_));
+      return YAML::Load(read_file(file_, kMaxBytes));
     } catch (const YAML::Exception& error) {
       add(error.mark, "is no YAML: " + error.msg, "mend it at this place");
     }
