@@ -7,11 +7,12 @@ demo := build/demo
 pipeline := build/release/bin/pipeline
 
 .DELETE_ON_ERROR:
-.PHONY: help packages configure build python demo test check reference format
+.PHONY: help packages configure build python deb demo test check reference format
 help:
 	@echo "make demo    match the Aloe pair with the paper's best pipeline; pictures in $(demo)/"
 	@echo "make build   the program, $(pipeline), and the SDK"
 	@echo "make python  the Python package, in build/release/python"
+	@echo "make deb     Debian packages of program, SDK and Python package, in build/package"
 	@echo "make test    build and run the whole test suite"
 	@echo "make check   what every change must pass: .ci/run"
 	@echo "make reference  write docs/reference anew, after plugins changed"
@@ -33,6 +34,13 @@ python:
 	@cmake --preset release -DXGM_BUILD_PYTHON=ON -DPython3_EXECUTABLE=/usr/bin/python3 $(CMAKE_FLAGS) \
 	  >build/configure.log || { cat build/configure.log; exit 1; }
 	@cmake --build --preset release --target xgm_python
+
+# One after the other: both configure the same folder.
+deb:
+	@$(MAKE) --no-print-directory build
+	@$(MAKE) --no-print-directory python
+	@.ci/packages build deb
+	@cpack --config build/release/CPackConfig.cmake -G DEB -B build/package
 
 demo: build $(aloe)/aloeGT.png
 	@$(pipeline) run tmgm16_refined.yaml --left $(aloe)/aloeL.jpg --right $(aloe)/aloeR.jpg \
