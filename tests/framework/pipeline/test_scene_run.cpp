@@ -2,6 +2,8 @@
 // Running scenes, from files and from memory: what is found, what is told, what is refused.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include <filesystem>
 
 #include "support/paths.hpp"
@@ -171,17 +173,23 @@ TEST_CASE(
 TEST_CASE("run_scene: notes and warnings are in the result, and told with an empty path") {
   const Files files;
   SceneRequest request = files.request();
-  request.disparities = Interval{-1000, 1000};
+  request.disparities = Interval{0, 40};
   std::get<SceneFiles>(request.scene).truth.disparity.file = files.write("truth.pfm", "junk");
   Listener listener;
   const SceneRun run = run_scene(load(), request, {.observer = &listener});
   REQUIRE(run.scene.notes.size() == 1);
-  CHECK(contains(run.scene.notes[0], "-39 to 39 are searched"));
+  CHECK(contains(run.scene.notes[0], "are as many as the image is wide"));
   REQUIRE(run.warnings.size() == 1);
   CHECK(contains(run.warnings[0], "the scene's truth is not used: "));
   CHECK(listener.told ==
         std::vector<std::string>{"note |" + run.scene.notes[0], "warning |" + run.warnings[0]});
   CHECK(run_scene(load(), request).warnings == run.warnings);
+  request.disparities = Interval{-1000, 1000};
+  const SceneRun beyond = run_scene(load(), request);
+  CHECK(beyond.scene.notes.empty());
+  CHECK(std::ranges::any_of(beyond.warnings, [](const std::string& text) {
+    return contains(text, "-39 to 39 are searched");
+  }));
 }
 
 TEST_CASE("run_scene: the truth that was asked for goes before the scene's own") {
