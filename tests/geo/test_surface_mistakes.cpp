@@ -79,6 +79,10 @@ TEST_CASE("what stands in the wrong place: images, values, a scene, a truth with
                 {"image_1.tif' is an image", "those of satellites as --images FILE FILE"});
   check_refused(desk, kPair + "--area 10 20 64 64",
                 {"scene excludes --images", "'20' is taken for the scene"});
+  const Outcome pairs = desk.call("run tsgm8 scene/scene.yaml --output out");
+  CHECK(pairs.exit_code == 2);
+  CHECK(contains(pairs.errors, "scenes of satellite images, --images"));
+  CHECK(contains(pairs.errors, "such as dsm_tmgm16"));
   write_raster(desk / "true.tif", {cv::Mat1f(30, 40, 420.0F), {}, {}, {}});
   check_refused(desk, kPair + "--truth true.tif", {"true.tif: this truth has no CRS"});
   for (const char* call : {"run scene/scene.yaml --output out", "check scene/scene.yaml"}) {

@@ -2,7 +2,9 @@
 #include "options/pipelines.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
+#include <filesystem>
 
 #include "terminal/console.hpp"
 #include "xgm/base/error.hpp"
@@ -73,11 +75,12 @@ std::vector<Override> parse_overrides(const std::vector<std::string>& assignment
   return overrides;
 }
 
-namespace {
-
-/// Whether a file in the place of a pipeline is a scene of satellite images.
-bool is_scene([[maybe_unused]] const std::string& file) {
+bool is_satellite_scene([[maybe_unused]] const std::string& file) {
 #ifdef XGM_HAS_GEO
+  constexpr std::uintmax_t kMostBytes = 1 << 20;  // what is larger, or has no end, is none
+  std::error_code unknown;
+  if (!std::filesystem::is_regular_file(file, unknown)) return false;
+  if (std::filesystem::file_size(file, unknown) > kMostBytes) return false;
   try {
     return !geo::read_surface_scene(file).images.empty();
   } catch (const UsageError&) {
@@ -87,8 +90,6 @@ bool is_scene([[maybe_unused]] const std::string& file) {
   return false;
 #endif
 }
-
-}  // namespace
 
 std::optional<Pipeline> load_named(const std::string& name, const Registry& registry,
                                    const std::vector<Override>& overrides) {
@@ -100,7 +101,7 @@ std::optional<Pipeline> load_named(const std::string& name, const Registry& regi
     return std::nullopt;
   }
   LoadedPipeline loaded = load_pipeline(file, registry, overrides);
-  if (!loaded.pipeline && is_scene(file)) {
+  if (!loaded.pipeline && is_satellite_scene(file)) {
     log_error(file + ": is a scene of satellite images; name a pipeline before it: pipeline run " +
               "dsm_tmgm16 " + file);
     return std::nullopt;

@@ -29,6 +29,9 @@ void add_set_option(Command command, std::vector<std::string>& assignments);
 /// "path=value" as overrides. Throws UsageError.
 std::vector<Override> parse_overrides(const std::vector<std::string>& assignments);
 
+/// Whether a file is a scene of satellite images, which has the place of a scene behind a pipeline.
+bool is_satellite_scene(const std::string& file);
+
 /// Finds, loads and checks; prints all that is wrong to stderr. Empty if anything is.
 std::optional<Pipeline> load_named(const std::string& name, const Registry& registry,
                                    const std::vector<Override>& overrides);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Options of "pipeline run" that are for one family of pipelines only.
+#include "options/pipelines.hpp"
 #include "options/surfaces.hpp"
 #include "run/run_surface.hpp"
 #include "xgm/base/error.hpp"
@@ -54,11 +55,12 @@ void refuse_options_of_pairs(const RunCommandOptions& options) {
 }
 
 void refuse_options_of_surfaces(const Pipeline& pipeline, const RunCommandOptions& options) {
-  const bool given =
-      options.satellites != SatelliteFiles{} || !options.clouds.empty() || !options.geoid.empty();
+  const bool given = options.satellites != SatelliteFiles{} || !options.clouds.empty() ||
+                     !options.geoid.empty() || is_satellite_scene(options.scene);
   if (!given) return;
   throw UsageError(pipeline.file() +
-                   ": matches one pair of images; --images, --clouds, --masks, --cameras, --dem, "
+                   ": matches one pair of images; scenes of satellite images, --images, --clouds, "
+                   "--masks, --cameras, --dem, "
                    "--area, --band and --geoid are for pipelines of type surface, such as "
                    "dsm_tmgm16");
 }
