@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
+#include <vector>
 
 #include "xgm/base/error.hpp"
 #include "xgm/data/crop.hpp"
