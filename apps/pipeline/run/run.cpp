@@ -89,7 +89,8 @@ int run(const RunCommandOptions& options, const std::vector<std::string>& comman
       .observer = &observer, .threads = use_threads(options.threads), .stop = stop.token()};
   try {
     if (is_surface(*pipeline, options)) {
-      return run_surface(*pipeline, registry, options, command_line, run, progress);
+      return run_surface(*pipeline, registry, options, keep_request(options, registry),
+                         command_line, run, progress);
     }
     const SceneRequest scene = scene_request(options, registry);
     request.parts = parts(options, *pipeline);

@@ -2,6 +2,7 @@
 #include "run/run_surface.hpp"
 
 #include "options/scene_request.hpp"
+#include "run/summary.hpp"
 #include "xgm/base/error.hpp"
 
 #ifdef XGM_HAS_GEO
@@ -56,6 +57,7 @@ void print_summary(const geo::RecordedSurface& run, const std::string& folder) {
                            grid.size.width, grid.size.height, grid.place.step_x,
                            geo::crs_name(grid.crs), 100 * run.covered)
             << (empty.empty() ? "" : "empty:   " + empty + "\n") << truth_line(run.truth)
+            << reused_line(run.reused, run.reused_from)
             << fmt::format("cost:    {:.1f} s\nwritten: {}/dsm.tif and its layers, run.json\n",
                            run.seconds, folder);
 }
@@ -63,8 +65,9 @@ void print_summary(const geo::RecordedSurface& run, const std::string& folder) {
 }  // namespace
 
 int run_surface(const Pipeline& pipeline, const Registry& registry,
-                const RunCommandOptions& options, const std::vector<std::string>& command_line,
-                const RunOptions& run, Progress& progress) {
+                const RunCommandOptions& options, const KeepRequest& keep,
+                const std::vector<std::string>& command_line, const RunOptions& run,
+                Progress& progress) {
   geo::SurfaceFiles files = surface_files(options.scene, options.satellites);
   if (!options.clouds.empty()) files.clouds = options.clouds;
   if (!options.truth.empty()) files.truth = options.truth;
@@ -73,7 +76,8 @@ int run_surface(const Pipeline& pipeline, const Registry& registry,
                                     .geoid = options.geoid,
                                     .overrides = parse_overrides(options.assignments),
                                     .command_line = command_line,
-                                    .inputs = files_beside_scene(registry, {}, {})};
+                                    .inputs = files_beside_scene(registry, {}, {}),
+                                    .keep = keep};
   if (!options.scene.empty()) request.inputs.push_back({"scene", options.scene});
   request.tell = [&](const std::string& what) { progress.begin(what); };
   const geo::RecordedSurface recorded = geo::record_surface(pipeline, files, request, run);
@@ -84,7 +88,7 @@ int run_surface(const Pipeline& pipeline, const Registry& registry,
   return kFailed;
 }
 #else
-int run_surface(const Pipeline&, const Registry&, const RunCommandOptions&,
+int run_surface(const Pipeline&, const Registry&, const RunCommandOptions&, const KeepRequest&,
                 const std::vector<std::string>&, const RunOptions&, Progress&) {
   throw UsageError("this program was built without GDAL and PROJ");
 }

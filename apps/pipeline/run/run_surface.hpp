@@ -4,6 +4,7 @@
 
 #include "run/run_options.hpp"
 #include "terminal/progress.hpp"
+#include "xgm/evaluation/keeping.hpp"
 
 namespace xgm::cli {
 
@@ -12,7 +13,8 @@ namespace xgm::cli {
 bool is_surface(const Pipeline& pipeline, const RunCommandOptions& options);
 
 int run_surface(const Pipeline& pipeline, const Registry& registry,
-                const RunCommandOptions& options, const std::vector<std::string>& command_line,
-                const RunOptions& run, Progress& progress);
+                const RunCommandOptions& options, const KeepRequest& keep,
+                const std::vector<std::string>& command_line, const RunOptions& run,
+                Progress& progress);
 
 }  // namespace xgm::cli

@@ -30,12 +30,6 @@ void print_map(const RunRecord& record) {
   std::cout << '\n';
 }
 
-void print_reused(const RunRecord& record) {
-  if (record.reused.empty()) return;
-  std::cout << fmt::format("reused:  {} result{} of {}\n", record.reused.size(),
-                           record.reused.size() == 1 ? "" : "s", record.reused_from);
-}
-
 void print_truth(const RunRecord& record) {
   for (const auto& [region, truth] : record.truth) {
     std::cout << "truth:   " << region << ":";
@@ -68,11 +62,17 @@ void print_files(const RecordedRun& result, const RecordRequest& request) {
 
 }  // namespace
 
+std::string reused_line(const std::vector<std::string>& results, const std::string& folder) {
+  if (results.empty()) return {};
+  return fmt::format("reused:  {} result{} of {}\n", results.size(), results.size() == 1 ? "" : "s",
+                     folder);
+}
+
 void print_summary(const RecordedRun& result, const RecordRequest& request) {
   const RunRecord& record = result.record;
   print_map(record);
   print_truth(record);
-  print_reused(record);
+  std::cout << reused_line(record.reused, record.reused_from);
   std::cout << fmt::format("cost:    {:.2f} s of matching, {:.0f} MB at most\n",
                            record.matching_seconds,
                            static_cast<double>(record.peak_memory_bytes) / 1e6);

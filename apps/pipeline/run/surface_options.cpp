@@ -29,9 +29,6 @@ void refuse_options_of_pairs(const RunCommandOptions& options) {
        "them again"},
       {"--tiles", !options.tiles.empty(),
        "satellite images are matched in windows anyway, whose size is --set tile=1000"},
-      {"--resume", options.resume, "surfaces keep nothing of a run that did not end"},
-      {"--cache", !options.cache.empty(),
-       "--clouds DIR/cloud.ply makes a surface again without matching"},
       {"--disparities", !options.disparities.empty(),
        "heights bound the search: --dem FILE, or --set 'range_prior={type: fixed, lowest: 0, "
        "highest: 500}'"},

@@ -8,6 +8,7 @@
 #include "stereo_family.hpp"
 #include "xgm/data/crop.hpp"
 #include "xgm/data/halve.hpp"
+#include "xgm/tiles/tiling.hpp"
 
 namespace xgm::tiles {
 
@@ -34,14 +35,20 @@ std::optional<CoarseMaps> match_coarse(const Pipeline& pipeline, const TiledRequ
 }
 
 MatchResult part_of(const CoarseMaps& coarse, const cv::Rect& window) {
-  return crop(coarse.maps, reduced(window, coarse.scale));
+  return crop(coarse.maps, reduced(window, coarse.scale) - cv::Point(0, coarse.first_row));
+}
+
+cv::Range rows_needed(const cv::Rect& part, const TileOptions& tiles, cv::Size image, int scale) {
+  constexpr Interval kAny{0, 1};  // decides of columns alone
+  const cv::Rect window = reduced(surroundings(part, tiles.halo, kAny, image, scale).window, scale);
+  return {window.y, window.br().y};
 }
 
 Interval likely(const CoarseMaps& coarse, const cv::Rect& place, Interval limits) {
   const DisparityMap& map = coarse.maps.forward;
-  const cv::Rect seen(
-      cv::Point(place.x / coarse.scale, place.y / coarse.scale),
-      cv::Point(reduced(place.br().x, coarse.scale), reduced(place.br().y, coarse.scale)));
+  const cv::Rect seen(cv::Point(place.x / coarse.scale, place.y / coarse.scale - coarse.first_row),
+                      cv::Point(reduced(place.br().x, coarse.scale),
+                                reduced(place.br().y, coarse.scale) - coarse.first_row));
   float low = INFINITY, high = -INFINITY;
   for (int y = seen.y; y < seen.br().y; ++y) {
     for (int x = seen.x; x < seen.br().x; ++x) {

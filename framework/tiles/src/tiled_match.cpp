@@ -65,7 +65,8 @@ void TiledMatch::match_coarse(const RunOptions& options) {
 }
 
 void TiledMatch::use(MatchResult coarse) {
-  coarse_ = CoarseMaps{coarse_scale(pipeline_, request_.pair->size(), tiles_), std::move(coarse)};
+  use(CoarseMaps{.scale = coarse_scale(pipeline_, request_.pair->size(), tiles_),
+                 .maps = std::move(coarse)});
 }
 
 std::vector<cv::Rect> TiledMatch::parts() const {

@@ -36,6 +36,8 @@ class TiledMatch {
   bool has_coarse() const;
   void match_coarse(const RunOptions& options);
   void use(MatchResult coarse);
+  /// Of them, the rows that the tiles need which are matched.
+  void use(CoarseMaps coarse) { coarse_ = std::move(coarse); }
   const MatchResult& coarse() const { return coarse_->maps; }
 
   /// The tiles' parts of the map, row by row.

@@ -35,13 +35,10 @@ class KeptTiles {
 
   DisparityMap match_part(const TiledMatch& match, const std::string& name, const cv::Rect& part,
                           RunOptions options) const {
-    if (kept_ == nullptr) return match.match(part, options);
-    if (auto found = kept_->find_part(name + of_tiles_)) return std::move(*found);
-    const std::shared_ptr<KeptResults> of_part = kept_->of_part(name + of_tiles_);
-    options.kept = of_part.get();
-    DisparityMap map = match.match(part, options);
-    kept_->keep_part(name + of_tiles_, map);
-    return map;
+    return kept_part(kept_, name + of_tiles_, [&](KeptResults* of_part) {
+      options.kept = of_part;
+      return match.match(part, options);
+    });
   }
 
  private:

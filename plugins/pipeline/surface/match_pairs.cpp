@@ -6,6 +6,7 @@
 #include "plugins/pipeline/surface/grid.hpp"
 #include "xgm/base/memory.hpp"
 #include "xgm/data/image_parts.hpp"
+#include "xgm/geo/image/kept_window.hpp"
 #include "xgm/geo/image/resample.hpp"
 #include "xgm/stage/needs.hpp"
 
@@ -182,9 +183,11 @@ class Matching {
 
   DisparityMap matched(const MatchRequest& request, const Context& context) const {
     if (request.range.hull().empty()) return DisparityMap(request.pair.size());
-    DisparityMap map = stages_.matching(context, request).forward;
-    for (const auto& filter : stages_.filters) map = filter(context, map, request.pair);
-    return map;
+    return kept_window(request, context, [&] {
+      DisparityMap map = stages_.matching(context, request).forward;
+      for (const auto& filter : stages_.filters) map = filter(context, map, request.pair);
+      return map;
+    });
   }
 
   const SurfaceStages& stages_;

@@ -63,8 +63,6 @@ def measure(options):
         name: idle_seconds(options, name, "tsgm8", "--set", f"preprocess=[{stages}]")["coarse"]
         for name, stages in (("ransac_deskew", "ransac_deskew"), ("none", ""))
     }
-    # A pyramid of two levels, whose coarse maps have a quarter of the pixels.
-    with_maps = idle_seconds(options, "maps", "tsgm8", "--set", "matcher.scale=2")["tile"]
     flat = idle_seconds(options, "flat", "sgm8")["tile"]
     firsts = [job["name"] for job in manifest["jobs"] if "place" not in job]
     measured = {
@@ -72,7 +70,6 @@ def measure(options):
         "plan_seconds": planning,
         "start_seconds": processor_seconds(options.program, "--version"),
         "idle_tile_seconds": flat,
-        "seconds_per_coarse_megapixel": (with_maps - flat) / (megapixels / 4),
         "idle_coarse_seconds": idle_coarse,
         **{name + "_seconds": job_seconds(options, work, name) for name in firsts},
         "image_bytes": sum(Path(file).stat().st_size for file in (options.left, options.right)),

@@ -3,7 +3,7 @@
 
 A run is `fit`, which looks at the whole scene, `coarse`, then all tiles, then the join. A job waits for
 its turn at the scheduler, then for a worker; its node fetches the images from the file server once,
-which all nodes share; a tile reads the coarse maps, matches its window, and writes its part. What jobs
+which all nodes share; a tile reads rows of the coarse maps, matches its window, and writes its part. What jobs
 take was measured (measured.json), what a cluster adds is assumed (cluster in the same file). Nothing
 else is in the model: no other users, no failing nodes, and not the plan, which comes before.
 
@@ -63,6 +63,11 @@ def coarse_megapixels(megapixels, coarse):
     return megapixels / scale**2
 
 
+def share_of_coarse(megapixels, tile):
+    """Of the rows that a tile reads: its own and those of the halo, in strips half as high as tiles."""
+    return min(1.0, (1.5 * tile["side"] + 2 * tile["halo"]) / math.sqrt(megapixels * 1e6))
+
+
 def tile_seconds(inputs, megapixels, tiles, seed):
     """Drawn from the measured spread around the mean, which holds for the mean size of tiles."""
     draw = random.Random(seed)
@@ -94,8 +99,9 @@ def coarse_seconds(inputs, megapixels, preprocess):
 
 
 def before_tile_seconds(inputs, megapixels):
-    """Of each tile beside its matching: the program starts, and reads the coarse maps."""
+    """Of each tile beside its matching: the program starts, and reads its rows of the coarse maps."""
     small = coarse_megapixels(megapixels, inputs["coarse"])
+    small *= share_of_coarse(megapixels, inputs["tile"])
     return inputs["job"]["seconds_of_tile"] + inputs["job"]["seconds_per_coarse_megapixel"] * small
 
 

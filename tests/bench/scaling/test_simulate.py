@@ -62,7 +62,9 @@ class Model(unittest.TestCase):
             tiles = simulate.tile_count(100, inputs["tile"]["side"])
             join = start + inputs["join"]["seconds_per_megapixel"] * 100
             job = inputs["job"]
-            before = job["seconds_of_tile"] + job["seconds_per_coarse_megapixel"] * 100 / 8**2
+            share = (1.5 * inputs["tile"]["side"] + 2 * inputs["tile"]["halo"]) / 10_000  # of the rows
+            before = job["seconds_of_tile"]
+            before += job["seconds_per_coarse_megapixel"] * 100 / 8**2 * share
             matching = tiles * before + inputs["tile"]["seconds_per_megapixel"] * 100
             self.assertAlmostEqual(run.parts["first"], first, places=4)
             self.assertAlmostEqual(run.parts["tiles"], matching, places=4)

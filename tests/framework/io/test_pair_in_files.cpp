@@ -253,6 +253,24 @@ TEST_CASE("pairs that cannot be read by windows are refused in the words of the 
   }
 }
 
+TEST_CASE("a PNG is decoded as far as windows reach, so that only these find a damage") {
+  const TemporaryFolder folder;
+  const PairFiles files{.left = folder / "left.png", .right = folder / "right.png"};
+  write_png(files.left, cv::Mat1b(noise(kSize, CV_8U, 0, 256, 1)));
+  write_png(files.right, cv::Mat1b(noise(kSize, CV_8U, 0, 256, 2)));
+  const ReadPair whole = read_pair(files);
+  const PairLook look = PairInFiles(files, folder.path()).look();
+  std::string bytes = read_file(files.right);
+  bytes[bytes.size() / 2] ^= 0x55;
+  folder.write("right.png", bytes);
+  const PairInFiles windows(files, folder.path(), look);
+  const cv::Rect above(5, 2, 40, 6), below(5, kSize.height - 6, 40, 6);
+  CHECK(same(windows.read(above).match, crop(whole.pair, above).match));
+  CHECK(contains(error_of([&] { windows.read(below); }), "is cut short or damaged at row"));
+  CHECK(contains(error_of([&] { windows.read(below); }), "right.png: is damaged"));
+  CHECK(same(windows.read(above).match, crop(whole.pair, above).match));
+}
+
 TEST_CASE("a PNG whose pixels are damaged is refused with the row, and a changed file later") {
   const TemporaryFolder folder;
   const std::string file = folder / "image.png", damaged = folder / "damaged.png";

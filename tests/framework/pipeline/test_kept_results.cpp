@@ -3,12 +3,15 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
+#include <set>
 #include <vector>
 
 #include "support/paths.hpp"
 #include "support/support.hpp"
 #include "xgm/pipeline/lookup.hpp"
+#include "xgm/pipeline/question.hpp"
 #include "xgm/stage/kept_results.hpp"
 #include "xgm/synthesis/plain_scene.hpp"
 #include "xgm/tiles/tiled_run.hpp"
@@ -126,4 +129,67 @@ TEST_CASE("a run in tiles keeps the coarse levels and its parts, and does what i
     CHECK(identical(in_tiles(pipeline, &kept), all));
     CHECK(kept.parts.size() == 6);
   }
+}
+
+TEST_CASE("a part is made once, with what is kept of it in force, and then found") {
+  struct OfParts : KeptResults {
+    explicit OfParts(KeptResults& of_part) : part(of_part) {}
+    std::optional<MatchResult> find(const std::string&) override { return std::nullopt; }
+    void keep(const std::string&, const MatchResult&) override {}
+    std::shared_ptr<KeptResults> of_part(const std::string&) override {
+      return {std::shared_ptr<KeptResults>(), &part};
+    }
+    KeptResults& part;
+  };
+  InMemory kept;
+  OfParts of_parts(kept);
+  DisparityMap map({3, 2});
+  map.set(1, 2, 5);
+  KeptResults* seen = nullptr;
+  int made = 0;
+  const auto make = [&](KeptResults* of_part) {
+    const KeptScope scope(of_part);
+    seen = kept_results();
+    ++made;
+    return map;
+  };
+  CHECK(identical(kept_part(nullptr, "a", make), map));
+  CHECK(seen == nullptr);
+  CHECK(identical(kept_part(&of_parts, "a", make), map));
+  CHECK(seen == &kept);
+  CHECK(kept_results() == nullptr);
+  CHECK(identical(kept_part(&kept, "a", make), map));
+  CHECK(identical(kept_part(&kept, "a", make), map));
+  CHECK(made == 3);
+}
+
+TEST_CASE("the hash of a request is that of its pixels and ranges, wherever they lie") {
+  const auto changed = [](const std::function<void(MatchRequest&)>& change) {
+    MatchRequest some = request();
+    some.pair.base.planes[0] = some.pair.base.planes[0].clone();
+    some.pair.match.valid = cv::Mat1b(some.pair.size(), 255);
+    change(some);
+    return hash_of(some);
+  };
+  const std::string same = changed([](MatchRequest&) {});
+  CHECK(changed([](MatchRequest& some) {
+          cv::Mat1f wide(some.pair.size() + cv::Size(9, 0));
+          cv::Mat1f part = wide.colRange(0, some.pair.size().width);
+          some.pair.base.planes[0].copyTo(part);
+          some.pair.base.planes[0] = part;
+        }) == same);
+  const std::vector<std::function<void(MatchRequest&)>> changes{
+      [](MatchRequest& some) { some.pair.base.planes[0](90, 132) += 1; },
+      [](MatchRequest& some) { some.pair.match.valid(0, 0) = 0; },
+      [](MatchRequest& some) { some.pair.match.valid.release(); },
+      [](MatchRequest& some) { std::swap(some.pair.base.planes, some.pair.match.planes); },
+      [](MatchRequest& some) { some.pair.is_reverse = true; },
+      [](MatchRequest& some) { some.reverse_range = some.range.reversed(); },
+      [](MatchRequest& some) {
+        some.range = DisparityRange::of_pixels(some.range.size(), [](int y, int x) {
+          return Interval{-6, y == 7 && x == 9 ? 33 : 34};
+        });
+      }};
+  std::set<std::string> hashes{same};
+  for (const auto& change : changes) CHECK(hashes.insert(changed(change)).second);
 }

@@ -77,7 +77,7 @@ TEST_CASE("jobs: done ones are not done again, damaged results and those of othe
   CHECK(contains(error_of([&] { desk.run("tile_1_1"); }), "not done: coarse"));
   CHECK(desk.run("coarse"));
   CHECK_FALSE(desk.run("coarse"));
-  const std::string result = desk / "work/jobs/coarse.pfm";
+  const std::string result = desk / "work/jobs/coarse_1.pfm";
   const std::string bytes = read_file(result);
   std::string damaged = bytes;
   damaged[bytes.size() / 2] ^= 1;
@@ -92,6 +92,32 @@ TEST_CASE("jobs: done ones are not done again, damaged results and those of othe
   JobManifest other = desk.manifest;
   other.tiles.halo = 64;
   CHECK_FALSE(is_done(other, other.jobs.front()));
+}
+
+TEST_CASE(
+    "jobs: a tile finds damages of the rows of the coarse maps that it needs, and only these") {
+  Desk desk("tsgm8");
+  desk.manifest.tiles.halo = 8;
+  write_manifest(desk.manifest);
+  CHECK(desk.run("coarse"));
+  const std::string last = desk / "work/jobs/coarse_4.pfm";  // of 86 rows, 24 in each strip
+  CHECK_FALSE(std::filesystem::exists(desk / "work/jobs/coarse_5.json"));
+  const std::string bytes = read_file(last);
+  std::string damaged = bytes;
+  damaged[bytes.size() / 2] ^= 1;
+  write_file(last, damaged);
+  CHECK(desk.run("tile_1_1"));
+  CHECK(contains(error_of([&] { desk.run("tile_2_1"); }), "coarse_4.json: this result, or a file"));
+  std::filesystem::remove(last);
+  CHECK(contains(error_of([&] { desk.run("tile_2_1"); }), "run " + desk.manifest.file + " coarse"));
+  std::filesystem::remove(desk / "work/jobs/coarse_4.json");  // which the job's record names
+  CHECK(contains(error_of([&] { desk.run("tile_1_2"); }), "coarse.json: this result, or a file"));
+  CHECK(desk.run("coarse"));
+  CHECK(read_file(last) == bytes);
+  for (const TileJob& job : desk.manifest.jobs) desk.run(job.name);
+  join_jobs(desk.manifest, desk / "joined");
+  desk.match_at_once(desk / "at_once");
+  check_same_files(desk / "joined", desk / "at_once");
 }
 
 TEST_CASE("jobs: a changed image, an unknown job and what is no manifest are refused") {

@@ -55,17 +55,21 @@ class PngRows {
     return CV_MAKETYPE(png_get_bit_depth(reader_.png, reader_.info) == 16 ? CV_16U : CV_8U, bands);
   }
 
-  void read_into(ScratchImage& image) {
+  /// Before the first row; size() and type() stay.
+  void begin() {
     const int colours = png_get_color_type(reader_.png, reader_.info);
     if (std::endian::native == std::endian::little) png_set_swap(reader_.png);
     if ((colours & PNG_COLOR_MASK_COLOR) != 0) png_set_bgr(reader_.png);
     if (colours == PNG_COLOR_TYPE_GRAY_ALPHA) png_set_gray_to_rgb(reader_.png);
     png_read_update_info(reader_.png, reader_.info);
-    std::vector<unsigned char> row(png_get_rowbytes(reader_.png, reader_.info));
-    for (row_ = 0; row_ < size().height; ++row_) {
-      png_read_row(reader_.png, row.data(), nullptr);
-      image.append(row.data());
-    }
+    pixels_.resize(png_get_rowbytes(reader_.png, reader_.info));
+  }
+
+  /// The next row, from the top. Throws Error; there are no more rows then.
+  const unsigned char* next() {
+    png_read_row(reader_.png, pixels_.data(), nullptr);
+    ++row_;
+    return pixels_.data();
   }
 
  private:
@@ -95,7 +99,38 @@ class PngRows {
   std::string name_;
   File file_;
   int row_ = 0;
+  std::vector<unsigned char> pixels_{};
   Reader reader_{this};
+};
+
+/// Decodes rows once they are asked for, with those above them: who needs the upper part of an
+/// image does not wait for the rest.
+class PngWindows final : public StoredWindows {
+ public:
+  PngWindows(const std::string& file, std::unique_ptr<PngRows> rows, const std::string& scratch)
+      : file_(file), rows_(std::move(rows)), image_(scratch, rows_->size(), rows_->type()) {
+    rows_->begin();
+  }
+
+  cv::Size size() const override { return image_.size(); }
+
+  StoredImage read(const cv::Rect& window) override {
+    if (window.br().y > image_.rows()) decode(window.br().y);
+    return image_.read(window);
+  }
+
+ private:
+  void decode(int end) {
+    auto rows = std::move(rows_);  // nothing can be read of it any more when it has failed
+    if (!rows) throw Error(file_ + ": is damaged; give a complete file");
+    while (image_.rows() < end) image_.append(rows->next());
+    image_.finish();
+    if (end < image_.size().height) rows_ = std::move(rows);
+  }
+
+  std::string file_;
+  std::unique_ptr<PngRows> rows_;  ///< null: all are decoded, or a row is damaged
+  ScratchImage image_;
 };
 
 }  // namespace
@@ -104,12 +139,9 @@ std::unique_ptr<StoredWindows> open_png(const std::string& file, const std::stri
   const std::string head = read_head(file, kImageHead);
   require_possible_header(file, head);
   require_whole(file, head);
-  PngRows rows(file);
-  if (!rows.has_plain_rows()) return nullptr;
-  auto image = std::make_unique<ScratchImage>(scratch, rows.size(), rows.type());
-  rows.read_into(*image);
-  image->finish();
-  return image;
+  auto rows = std::make_unique<PngRows>(file);
+  if (!rows->has_plain_rows()) return nullptr;
+  return std::make_unique<PngWindows>(file, std::move(rows), scratch);
 }
 
 }  // namespace xgm

@@ -29,6 +29,8 @@ std::size_t ScratchImage::row_bytes() const {
 }
 
 void ScratchImage::append(const unsigned char* row) {
+  const std::size_t begin = static_cast<std::size_t>(rows_++) * row_bytes();
+  stream_.seekp(static_cast<std::streamoff>(begin));  // windows may have been read meanwhile
   stream_.write(reinterpret_cast<const char*>(row), static_cast<std::streamsize>(row_bytes()));
   if (!stream_) throw_unwritable(name_, errno);
 }

@@ -17,7 +17,9 @@ class ScratchImage final : public StoredWindows {
 
   /// The next row, from the top.
   void append(const unsigned char* row);
-  /// All rows are there. Throws Error if they could not be written.
+  /// How many there are, which may be read when they are finished.
+  int rows() const { return rows_; }
+  /// Throws Error if they could not be written. More may follow.
   void finish();
 
   cv::Size size() const override { return size_; }
@@ -29,6 +31,7 @@ class ScratchImage final : public StoredWindows {
   std::string name_;  ///< for messages
   cv::Size size_;
   int type_;
+  int rows_ = 0;
   UnfinishedFile file_;
   std::fstream stream_;
 };

@@ -58,16 +58,21 @@ void write_result(const std::string& folder, const std::string& name, const std:
       names.push_back(std::move(file));
     }
   }
-  Json files = Json::array();
-  for (const std::string& written : names) {
+  Json facts = {{"has_reverse", result.reverse.has_value()}};
+  facts.update(more);
+  write_record(folder, name, question, names, facts);
+}
+
+void write_record(const std::string& folder, const std::string& name, const std::string& question,
+                  const std::vector<std::string>& files, const Json& more) {
+  Json listed = Json::array();
+  for (const std::string& written : files) {
     const std::string file = (fs::path(folder) / written).string();
     sync_file(file);
     const FileIdentity identity = identify_file(file);
-    files.push_back({{"name", written}, {"bytes", identity.bytes}, {"fnv1a64", identity.fnv1a64}});
+    listed.push_back({{"name", written}, {"bytes", identity.bytes}, {"fnv1a64", identity.fnv1a64}});
   }
-  Json record = {{"question", question},
-                 {"files", std::move(files)},
-                 {"has_reverse", result.reverse.has_value()}};
+  Json record = {{"question", question}, {"files", std::move(listed)}};
   record.update(more);
   write_file(record_file(folder, name), record.dump(2) + "\n");
   sync_file(record_file(folder, name));

@@ -36,8 +36,9 @@ class StoredWhole final : public StoredWindows {
 /// or its strips or tiles are too large to be decoded one after the other.
 std::unique_ptr<StoredWindows> open_tiff(const std::string& file);
 
-/// Decodes a PNG, row by row, into a file without name in `scratch`, of which windows are read.
-/// None if it has to be decoded as a whole: interlaced, with a palette, or of less than 8 bits.
+/// Decodes a PNG, row by row as far as windows reach, into a file without name in `scratch`, of
+/// which they are read. None if it has to be decoded as a whole: interlaced, with a palette, or of
+/// less than 8 bits.
 std::unique_ptr<StoredWindows> open_png(const std::string& file, const std::string& scratch);
 
 /// Any format. Files that are needed meanwhile are made in the folder `scratch`. Throws Error as

@@ -67,15 +67,41 @@ std::string hash_of(const DisparityRange& ranges) {
   return hash_text(bytes);
 }
 
+template <class Value>
+std::string hash_of(const cv::Mat_<Value>& values) {
+  const cv::Mat_<Value> whole = values.isContinuous() ? values : values.clone();
+  return hash_text({reinterpret_cast<const char*>(whole.data), whole.total() * sizeof(Value)});
+}
+
+std::string hash_of(const Image& image) {
+  std::string all = hash_of(image.valid);
+  for (const cv::Mat1f& plane : image.planes) all += hash_of(plane);
+  return all;
+}
+
 }  // namespace
 
-Json question_of(const Pipeline& pipeline, const SceneRequest& request, const SceneInputs& inputs,
-                 const std::vector<std::string>& plugin_files) {
+std::string hash_of(const MatchRequest& request) {
+  const cv::Size size = request.pair.size();
+  std::string all = std::to_string(size.width) + "x" + std::to_string(size.height) +
+                    (request.pair.is_reverse ? "r" : "");
+  all += hash_of(request.pair.base) + hash_of(request.pair.match) + hash_of(request.range);
+  if (request.reverse_range) all += hash_of(*request.reverse_range);
+  return hash_text(all);
+}
+
+Json question_of(const Pipeline& pipeline, const std::vector<std::string>& plugin_files) {
   Json question = {{"program", program_hash()}};
   std::vector<std::string> plugins;
   for (const std::string& file : plugin_files) plugins.push_back(identify_file(file).fnv1a64);
   question["plugin files"] = Json(plugins);
   question["pipeline"] = Json::parse(pipeline.resolved_json());
+  return question;
+}
+
+Json question_of(const Pipeline& pipeline, const SceneRequest& request, const SceneInputs& inputs,
+                 const std::vector<std::string>& plugin_files) {
+  Json question = question_of(pipeline, plugin_files);
   for (const InputFile& input : inputs.scene.inputs) {
     if (decides(input.role)) question[input.role] = input.identity.fnv1a64;
   }

@@ -44,6 +44,10 @@ Json to_json(const std::vector<OutputFile>& outputs) {
   return list;
 }
 
+Json reused_json(const std::string& folder, const std::vector<std::string>& results) {
+  return {{"from", folder}, {"results", results}};
+}
+
 Json versions_json() {
   return {{"xgm", XGM_VERSION},
           {"opencv", CV_VERSION},

@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "record/doubts.hpp"
-#include "record/keeping.hpp"
 #include "record/kept_map.hpp"
+#include "record/scene_keeping.hpp"
 #include "xgm/base/memory.hpp"
 #include "xgm/base/parallel.hpp"
 #include "xgm/evaluation/report.hpp"
@@ -203,7 +203,8 @@ RecordedRun match(const Pipeline& pipeline, SceneInputs inputs, const RecordRequ
   record.command_line = request.command_line;
   record.threads = options.threads > 0 ? options.threads : thread_count();
   describe_run(record, result.run, watchers);
-  keeping.describe(record);
+  record.reused = keeping.reused();
+  record.reused_from = keeping.folder();
   describe_map(record, result.run, kept.summary());
   record.peak_memory_bytes = peak_memory();
   result.failure = failure_of(record);
@@ -216,7 +217,7 @@ RecordedRun match(const Pipeline& pipeline, SceneInputs inputs, const RecordRequ
 RecordedRun record_scene(const Pipeline& pipeline, const SceneRequest& scene,
                          const RecordRequest& request, const RunOptions& options) {
   check_scene(scene, pipeline);
-  Keeping::check(request, scene);
+  check_keeping(request, scene);
   const DepthFiles depth = check_depth_files(request.depth, scene, request.folder);
   RunFolder folder(request.folder, planned_files(request, depth),
                    files_read(pipeline, scene, request));
@@ -227,7 +228,7 @@ RecordedRun record_scene(const Pipeline& pipeline, const SceneRequest& scene,
   kept.add_bytes(inputs);
   if (request.report) add_bytes_of_report(inputs);
   Watchers watchers(request, inputs.scene, &folder, options.observer);
-  Keeping keeping(pipeline, scene, inputs, request, options.observer);
+  Keeping keeping = keep_scene(pipeline, scene, inputs, request, options.observer);
   RecordedRun result = [&] {
     try {
       return match(pipeline, std::move(inputs), request, options, watchers, kept, keeping);

@@ -53,7 +53,7 @@ std::string to_json(const RunRecord& record) {
   if (!record.truth.empty()) json["truth"] = to_json(record.truth);
   json["stages"] = to_json(record.stages);
   if (!record.reused.empty()) {
-    json["reused"] = {{"from", record.reused_from}, {"results", record.reused}};
+    json["reused"] = reused_json(record.reused_from, record.reused);
   }
   json["warnings"] = record.warnings;
   if (!record.dumps.empty()) json["dumps"] = dumps(record);

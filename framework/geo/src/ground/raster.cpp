@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "ground/gdal.hpp"
+#include "ground/paths.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/io/file.hpp"
 
@@ -115,6 +116,19 @@ RasterHead read_raster_head(const std::string& file) {
   const DatasetPtr dataset = open_raster(file);
   const QuietGdal quiet;
   return head_of(*dataset, file);
+}
+
+std::vector<std::string> files_of_raster(const std::string& file) {
+  const DatasetPtr dataset = open_raster(file);
+  const QuietGdal quiet;
+  std::vector<std::string> files;
+  char** const list = dataset->GetFileList();
+  for (char** name = list; name != nullptr && *name != nullptr; ++name) {
+    const bool is_local = is_there(*name);  // what lies in archives or the net is not known here
+    if (is_local && !std::string_view(*name).ends_with(".aux.xml")) files.emplace_back(*name);
+  }
+  CSLDestroy(list);
+  return files;
 }
 
 Raster read_raster_window(const std::string& file, const cv::Rect& window, int band_number) {

@@ -205,6 +205,8 @@ std::vector<Tile> open_tiles(const std::vector<std::string>& files) {
 
 }  // namespace
 
+std::string dem_datum(const std::string& text) { return split_datum(text).second; }
+
 std::vector<std::string> dem_files(const std::vector<std::string>& files) {
   std::vector<std::string> all;
   for (const std::string& text : files) {

@@ -9,6 +9,7 @@
 
 #include "run/search_volume.hpp"
 #include "run/surface_outputs.hpp"
+#include "run/surface_question.hpp"
 #include "run/surface_report.hpp"
 #include "run/truth_record.hpp"
 #include "xgm/base/error.hpp"
@@ -72,16 +73,17 @@ CloudRequest read_cloud_request(const SurfaceFiles& files) {
   return {read_clouds(files.clouds), area.box, area.outline};
 }
 
-/// The surface, of images or of clouds. `truth`, unless null, is told of all that is matched.
-std::function<SurfaceResult(const Context&)> make_job(const SurfaceFamily& family,
-                                                      const SurfaceFiles& files,
-                                                      TruthRecord* truth) {
-  if (files.clouds.empty()) {
-    SurfaceRequest images = read_surface_request(files);
+using Job = std::function<SurfaceResult(const Context&)>;
+
+/// The surface, of images or, if there are none, of clouds. `truth`, unless null, is told of all
+/// that is matched.
+Job make_job(const SurfaceFamily& family, const SurfaceFiles& files,
+             std::optional<SurfaceRequest> images, TruthRecord* truth) {
+  if (images) {
     if (truth != nullptr) {
-      images.matched = [truth](const auto&... window) { truth->add(window...); };
+      images->matched = [truth](const auto&... window) { truth->add(window...); };
     }
-    return [&family, request = std::move(images)](const Context& context) {
+    return [&family, request = std::move(*images)](const Context& context) {
       return family.run(request, context);
     };
   }
@@ -100,7 +102,7 @@ Json truth_json(const SurfaceTruth& truth) {
 }
 
 Json record_of(const Pipeline& pipeline, const SurfaceRecordRequest& request,
-               const std::vector<NamedFile>& inputs, const RecordedSurface& recorded,
+               const std::vector<InputFile>& inputs, const RecordedSurface& recorded,
                const RunOptions& options) {
   Json json;
   json["format"] = 1;
@@ -109,7 +111,7 @@ Json record_of(const Pipeline& pipeline, const SurfaceRecordRequest& request,
   json["pipeline"] = {{"file", pipeline.file()},
                       {"overrides", to_json(request.overrides)},
                       {"resolved", Json::parse(pipeline.resolved_json())}};
-  json["scene"] = {{"inputs", to_json(identify_files(inputs))}};
+  json["scene"] = {{"inputs", to_json(inputs)}};
   json["grid"] = grid_json(recorded.result.grid, recorded.result.fused.heights);
   json["images"] = images_json(recorded.result);
   json["pairs"] = pairs_json(recorded.result);
@@ -124,10 +126,27 @@ Json record_of(const Pipeline& pipeline, const SurfaceRecordRequest& request,
 class Warnings final : public Observer {
  public:
   void log(LogLevel level, const StagePlace& place, const std::string& text) override {
-    if (level == LogLevel::warning) all.push_back(place.path + ": " + text);
+    if (level != LogLevel::warning) return;
+    all.push_back(place.path.empty() ? text : place.path + ": " + text);
   }
   std::vector<std::string> all;
 };
+
+void check_keeping(const SurfaceFiles& files, const SurfaceRecordRequest& request) {
+  const std::string option = request.keep ? request.keep->option() : "";
+  if (option.empty() || files.clouds.empty()) return;
+  throw UsageError(option +
+                   "clouds are made a surface of without matching, and nothing of that is kept; "
+                   "leave it out");
+}
+
+/// Of what is matched of images.
+Keeping keep_windows(const Pipeline& pipeline, const SurfaceFiles& files,
+                     const std::vector<InputFile>& read, const std::vector<SatelliteImage>& images,
+                     const SurfaceRecordRequest& request, Observer* observer) {
+  const Json question = question_of(pipeline, files, read, images, request);
+  return {*request.keep, request.folder, question, question_of_matching(question), observer};
+}
 
 /// The record last: it tells that all is there.
 void finish(RunFolder& folder, const SurfaceRecordRequest& request, RecordedSurface& recorded,
@@ -148,37 +167,27 @@ double share_of_heights(const cv::Mat1f& heights) {
   return static_cast<double>(count) / static_cast<double>(heights.total());
 }
 
-}  // namespace
-
-RecordedSurface record_surface(const Pipeline& pipeline, const SurfaceFiles& files,
-                               const SurfaceRecordRequest& request, const RunOptions& options) {
-  const auto* const family = dynamic_cast<const SurfaceFamily*>(&pipeline.family());
-  if (family == nullptr) throw UsageError(pipeline.file() + ": is no pipeline of type surface");
-  if (!request.geoid.empty()) require_geoid(request.geoid);
-  require_no_cameras_beside(files.images, request.folder);
-  const std::vector<NamedFile> inputs = files_read(pipeline, files, request);
-  request.tell(files.clouds.empty() ? "reading the images" : "reading the clouds");
-  std::optional<TruthRecord> truth;
-  if (!files.truth.empty()) truth.emplace(files.truth);
-  const auto job = make_job(*family, files, truth ? &*truth : nullptr);
-  std::optional<RunFolder> folder;
-  if (!request.folder.empty()) {
-    folder.emplace(request.folder, files_written(files, request), inputs, optional_names());
+/// All who watch the run for its record.
+struct Watchers {
+  explicit Watchers(Observer* callers) {
+    all.add(recorder);
+    all.add(search);
+    all.add(warnings);
+    if (callers != nullptr) all.add(*callers);
   }
+
   RunRecorder recorder;
   SearchVolume search;
   Warnings warnings;
-  Observers observers;
-  observers.add(recorder);
-  observers.add(search);
-  observers.add(warnings);
-  if (options.observer != nullptr) observers.add(*options.observer);
-  RunOptions watched = options;
-  watched.observer = &observers;
+  Observers all;
+};
+
+RecordedSurface make_surface(const Pipeline& pipeline, const Job& job,
+                             const SurfaceRecordRequest& request, const RunOptions& options) {
   request.tell("making the surface");
   RecordedSurface recorded;
   const auto start = std::chrono::steady_clock::now();
-  pipeline.in_run(watched, [&](const Context& context) { recorded.result = job(context); });
+  pipeline.in_run(options, [&](const Context& context) { recorded.result = job(context); });
   recorded.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   Raster& heights = recorded.result.fused.heights;
@@ -186,23 +195,61 @@ RecordedSurface record_surface(const Pipeline& pipeline, const SurfaceFiles& fil
   recorded.covered = share_of_heights(heights.values);
   if (recorded.covered == 0)
     recorded.failure = "the surface is empty: no pixel of any pair matched";
+  return recorded;
+}
+
+}  // namespace
+
+RecordedSurface record_surface(const Pipeline& pipeline, const SurfaceFiles& files,
+                               const SurfaceRecordRequest& request, const RunOptions& options) {
+  const auto* const family = dynamic_cast<const SurfaceFamily*>(&pipeline.family());
+  if (family == nullptr) throw UsageError(pipeline.file() + ": is no pipeline of type surface");
+  if (!request.geoid.empty()) require_geoid(request.geoid);
+  check_keeping(files, request);
+  require_no_cameras_beside(files.images, request.folder);
+  const std::vector<NamedFile> inputs = files_read(pipeline, files, request);
+  request.tell(files.clouds.empty() ? "reading the images" : "reading the clouds");
+  std::optional<TruthRecord> truth;
+  if (!files.truth.empty()) truth.emplace(files.truth);
+  std::optional<SurfaceRequest> images;
+  if (files.clouds.empty()) images = read_surface_request(files);
+  const Job job = make_job(*family, files, images, truth ? &*truth : nullptr);
+  std::optional<RunFolder> folder;
+  if (!request.folder.empty()) {
+    folder.emplace(request.folder, files_written(files, request), inputs, optional_names());
+  }
+  Watchers watchers(options.observer);
+  const std::vector<InputFile> identified = identify_files(inputs);
+  Keeping keeping;
+  if (request.keep && images && folder) {
+    keeping = keep_windows(pipeline, files, identified, images->images, request, &watchers.all);
+  }
+  RunOptions watched = options;
+  watched.observer = &watchers.all;
+  watched.kept = keeping.results();
+  RecordedSurface recorded = make_surface(pipeline, job, request, watched);
+  recorded.reused = keeping.reused();
+  recorded.reused_from = keeping.folder();
   if (folder) {
     request.tell("writing the results");
     folder->begin();
     write_outputs(recorded.result, *folder);
   }
-  Json json = record_of(pipeline, request, inputs, recorded, options);
+  Json json = record_of(pipeline, request, identified, recorded, options);
   json["peak_memory_bytes"] = peak_memory();
-  json["search"] = {{"disparities_per_pixel", search.per_pixel()}, {"widest", search.widest()}};
+  json["search"] = {{"disparities_per_pixel", watchers.search.per_pixel()},
+                    {"widest", watchers.search.widest()}};
   if (truth) {
-    recorded.truth = truth->judge(recorded.result, observers);
+    recorded.truth = truth->judge(recorded.result, watchers.all);
     json["truth"] = truth_json(recorded.truth);
   }
-  json["stages"] = to_json(recorder.stages());
-  json["warnings"] = warnings.all;
+  json["stages"] = to_json(watchers.recorder.stages());
+  if (!recorded.reused.empty()) json["reused"] = reused_json(recorded.reused_from, recorded.reused);
+  json["warnings"] = watchers.warnings.all;
   recorded.record = json.dump(2) + "\n";
-  recorded.warnings = std::move(warnings.all);
+  recorded.warnings = std::move(watchers.warnings.all);
   if (folder) finish(*folder, request, recorded, std::move(json));
+  keeping.end();
   return recorded;
 }
 

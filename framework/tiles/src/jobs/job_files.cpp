@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "jobs/coarse_files.hpp"
 #include "tiled_match.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/base/json.hpp"
@@ -12,10 +13,6 @@
 
 namespace xgm::tiles {
 namespace {
-
-Json facts_of(const TileJob& job, double seconds) {
-  return {{"job", job.name}, {"seconds", seconds}, {"peak_memory_bytes", peak_memory()}};
-}
 
 /// What is found is a few numbers, so that the record itself holds them, with their hash.
 StoredState state_of_found(const std::string& file, const std::string& question) {
@@ -41,6 +38,10 @@ std::string result_file(const JobManifest& manifest, const TileJob& job) {
   return (std::filesystem::path(jobs_folder(manifest)) / (job.name + ".json")).string();
 }
 
+Json facts_of(const TileJob& job, double seconds) {
+  return {{"job", job.name}, {"seconds", seconds}, {"peak_memory_bytes", peak_memory()}};
+}
+
 StoredState state_of_job(const JobManifest& manifest, const TileJob& job) {
   const std::string question = question_hash(manifest);
   if (job.name == kFit) return state_of_found(result_file(manifest, job), question);
@@ -48,7 +49,9 @@ StoredState state_of_job(const JobManifest& manifest, const TileJob& job) {
 }
 
 bool is_done(const JobManifest& manifest, const TileJob& job) {
-  return state_of_job(manifest, job) == StoredState::complete;
+  const StoredState state =
+      job.name == kCoarse ? state_of_coarse(manifest, job).state : state_of_job(manifest, job);
+  return state == StoredState::complete;
 }
 
 void write_job_result(const JobManifest& manifest, const TileJob& job, const MatchResult& result,

@@ -19,6 +19,10 @@ std::string result_file(const JobManifest& manifest, const TileJob& job);
 /// Of all that decides of the results.
 std::string question_hash(const JobManifest& manifest);
 
+/// What the record of a job says of it beside its results.
+Json facts_of(const TileJob& job, double seconds);
+
+/// Of any job but that of the coarse maps, see state_of_coarse().
 StoredState state_of_job(const JobManifest& manifest, const TileJob& job);
 
 /// The reverse map is kept if there is one. Throws Error.

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <limits>
 
-#include "jobs/job_files.hpp"
+#include "jobs/coarse_files.hpp"
 #include "tiled_match.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/io/file.hpp"
@@ -28,17 +28,20 @@ std::string list(const std::vector<std::string>& names) {
   return text;
 }
 
-void require_done(const JobManifest& manifest, const std::vector<std::string>& names) {
+/// `rows`: of the coarse maps, that are needed.
+void require_done(const JobManifest& manifest, const std::vector<std::string>& names,
+                  cv::Range rows = cv::Range::all()) {
   const std::string remedy = " with pipeline tiles run " + manifest.file + " ";
   std::vector<std::string> missing;
   for (const std::string& name : names) {
     const TileJob& job = find_job(manifest, name);
-    const StoredState state = state_of_job(manifest, job);
-    if (state == StoredState::missing) missing.push_back(name);
-    if (state != StoredState::damaged) continue;
-    throw Error(result_file(manifest, job) +
-                ": this result, or a file that it names, is damaged; make it again" + remedy +
-                name);
+    const CoarseState found =
+        name == kCoarse ? state_of_coarse(manifest, job, rows)
+                        : CoarseState{state_of_job(manifest, job), result_file(manifest, job)};
+    if (found.state == StoredState::missing) missing.push_back(name);
+    if (found.state != StoredState::damaged) continue;
+    throw Error(found.file + ": this result, or a file that it names, is damaged; make it again" +
+                remedy + name);
   }
   if (missing.empty()) return;
   throw Error("jobs that come first are not done: " + list(missing) + "; " +
@@ -54,6 +57,7 @@ class JobRun {
       : manifest_(manifest),
         job_(job),
         options_(with_facts(options, manifest.facts)),
+        scale_(coarse_scale(pipeline, manifest.size, manifest.tiles)),
         match_(pipeline,
                {std::make_shared<const PairInFiles>(manifest.images, jobs_folder(manifest),
                                                     manifest.look),
@@ -67,7 +71,13 @@ class JobRun {
       return;
     }
     const MatchResult result = matched();
-    write_job_result(manifest_, job_, result, seconds());
+    if (job_.name == kCoarse) {
+      // Tiles need those of their own rows and of the halo: half as high, little more is read.
+      const int strip = std::max(1, manifest_.tiles.size.height / scale_ / 2);
+      write_coarse(manifest_, job_, result, strip, seconds());
+    } else {
+      write_job_result(manifest_, job_, result, seconds());
+    }
   }
 
  private:
@@ -83,7 +93,11 @@ class JobRun {
       match_.match_coarse(options_);
       return match_.coarse();
     }
-    if (needs(kCoarse)) match_.use(read_job_result(manifest_, find_job(manifest_, kCoarse)));
+    if (needs(kCoarse)) {
+      match_.use(read_coarse(manifest_, find_job(manifest_, kCoarse),
+                             rows_needed(job_.place, manifest_.tiles, manifest_.size, scale_),
+                             scale_));
+    }
     return {match_.match(job_.place, options_), std::nullopt};
   }
 
@@ -99,6 +113,7 @@ class JobRun {
   const TileJob& job_;
   RunOptions options_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  int scale_;  ///< of the coarse maps
   TiledMatch match_;
 };
 
@@ -108,7 +123,8 @@ bool run_job(const JobManifest& manifest, const TileJob& job, const Pipeline& pi
              const RunOptions& options) {
   if (is_done(manifest, job)) return false;
   require_unchanged(manifest);
-  require_done(manifest, job.needs);
+  const int scale = coarse_scale(pipeline, manifest.size, manifest.tiles);
+  require_done(manifest, job.needs, rows_needed(job.place, manifest.tiles, manifest.size, scale));
   JobRun(manifest, job, pipeline, options).run();
   return true;
 }

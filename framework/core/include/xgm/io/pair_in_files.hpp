@@ -28,9 +28,9 @@ struct PairLook {
 };
 
 /// What read_pair() reads, by windows of the same values, notes and warnings. TIFF is read strip by
-/// strip or tile by tile, as long as none has more than 64 MB; PNG is decoded once into a file
-/// without name, with all rows that are not interlaced, of a palette or of less than 8 bits; all
-/// else is held in memory as it is stored.
+/// strip or tile by tile, as long as none has more than 64 MB; PNG is decoded once, as far as
+/// windows reach, into a file without name, unless it is interlaced, has a palette or less than 8
+/// bits; all else is held in memory as it is stored.
 class XGM_API PairInFiles final : public PairWindows {
  public:
   /// Looks at all pixels once or twice: for damages, what the values range over and what means no

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "xgm/base/export.hpp"
 #include "xgm/base/json.hpp"
@@ -27,6 +28,11 @@ XGM_API StoredState state_of_result(const std::string& folder, const std::string
 /// half-written counts as complete.
 XGM_API void write_result(const std::string& folder, const std::string& name,
                           const std::string& question, const MatchResult& result,
+                          const Json& more = Json::object());
+
+/// NAME.json alone, for files of these names that are in the folder.
+XGM_API void write_record(const std::string& folder, const std::string& name,
+                          const std::string& question, const std::vector<std::string>& files,
                           const Json& more = Json::object());
 
 /// Of one that is complete. Throws Error.

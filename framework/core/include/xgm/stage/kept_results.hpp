@@ -39,4 +39,22 @@ class XGM_API KeptResults {
 /// Those of the run that the calling thread works for; null if it has none.
 XGM_API KeptResults* kept_results();
 
+/// While this lives, they are others for the calling thread, which outlive this; null: none.
+class XGM_API KeptScope {
+ public:
+  explicit KeptScope(KeptResults* kept);
+  ~KeptScope();
+  KeptScope(const KeptScope&) = delete;
+  KeptScope& operator=(const KeptScope&) = delete;
+
+ private:
+  struct Change;
+  std::unique_ptr<Change> change_;
+};
+
+/// A part of the finished map, as `kept` has it; else as `make` makes it, which is handed what is
+/// kept of the part (maybe null), and kept from then on. `kept` may be null.
+XGM_API DisparityMap kept_part(KeptResults* kept, const std::string& name,
+                               const std::function<DisparityMap(KeptResults* of_part)>& make);
+
 }  // namespace xgm

@@ -9,25 +9,12 @@
 
 #include "xgm/base/export.hpp"
 #include "xgm/evaluation/explain_pixels.hpp"
+#include "xgm/evaluation/keeping.hpp"
 #include "xgm/evaluation/run_record.hpp"
 #include "xgm/pipeline/depth_files.hpp"
 #include "xgm/pipeline/scene_run.hpp"
 
 namespace xgm {
-
-/// How results are kept so that another run need not find them again. Reports, dumps and
-/// explanations show stages, of which none may be left out: runs with these keep nothing.
-struct KeepRequest {
-  /// Go on from what a run of the same question has left in the folder (UnfinishedRun).
-  bool resume = false;
-  /// A folder for results of matchers of any run (ResultCache). Runs with one leave nothing in
-  /// their own folder: what they have done is in the cache.
-  std::string cache{};
-  std::uint64_t cache_bytes = 10'000'000'000;
-  std::vector<std::string> plugin_files{};  ///< that the pipeline may have stages of
-  /// Options beside pipeline and scene that have to be the same to go on, and their values.
-  std::vector<std::pair<std::string, std::string>> asked{};
-};
 
 /// What is to be recorded.
 struct RecordRequest {
@@ -45,8 +32,10 @@ struct RecordRequest {
   /// for which the whole is needed (reports, explanations, dumps, depths, a truth), the images are
   /// then read and the map is written part by part, and neither is in RecordedRun::run.
   ChooseParts parts{};
-  std::optional<KeepRequest> keep{};  ///< none: nothing is kept
-  bool holds_maps = false;            ///< the maps are wanted in RecordedRun::run in any case
+  /// None: nothing is kept. Reports, dumps and explanations show stages, of which none may be left
+  /// out: runs with these keep nothing.
+  std::optional<KeepRequest> keep{};
+  bool holds_maps = false;  ///< the maps are wanted in RecordedRun::run in any case
   /// Told what is done now ("reading the images").
   std::function<void(const std::string&)> tell = [](const std::string&) {};
 };

@@ -44,5 +44,7 @@ XGM_API std::shared_ptr<const HeightField> read_dem(const std::vector<std::strin
 XGM_API std::shared_ptr<const HeightField> read_dem(const std::string& file);
 /// The files that read_dem() reads: those of folders, without datums.
 XGM_API std::vector<std::string> dem_files(const std::vector<std::string>& files);
+/// Of "FILE,DATUM": the datum; "" of a file or folder alone.
+XGM_API std::string dem_datum(const std::string& text);
 
 }  // namespace xgm::geo

@@ -48,6 +48,10 @@ struct RasterHead {
 };
 /// Any format of GDAL. Throws Error, which names the file: unreadable, rotated.
 XGM_API RasterHead read_raster_head(const std::string& file);
+/// The file, what its format keeps in files beside it (cameras, georeferences), and what it refers
+/// to, such as the sources of a VRT; but not *.aux.xml, which programs that show a raster write.
+/// Throws Error.
+XGM_API std::vector<std::string> files_of_raster(const std::string& file);
 /// A window of it; the nodata value of the file becomes NaN. Throws Error, which names the file:
 /// unreadable, no such band, rotated.
 XGM_API Raster read_raster_window(const std::string& file, const cv::Rect& window, int band = 1);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "xgm/evaluation/keeping.hpp"
 #include "xgm/evaluation/metrics.hpp"
 #include "xgm/geo/evaluation/surface_errors.hpp"
 #include "xgm/geo/run/surface_files.hpp"
@@ -25,6 +26,7 @@ struct SurfaceRecordRequest {
   std::vector<Override> overrides{};        ///< that the pipeline was loaded with, for the record
   std::vector<std::string> command_line{};  ///< for the record
   std::vector<NamedFile> inputs{};          ///< files read for this run beside those above
+  std::optional<KeepRequest> keep{};        ///< of windows that are matched; none: nothing is kept
   /// Told what is done now ("reading the images").
   std::function<void(const std::string&)> tell = [](const std::string&) {};
 };
@@ -42,6 +44,8 @@ struct RecordedSurface {
   SurfaceTruth truth;  ///< empty without a truth
   std::string record;  ///< what run.json holds
   std::vector<std::string> warnings{};
+  std::vector<std::string> reused{};  ///< windows and levels that earlier runs have matched
+  std::string reused_from{};          ///< folder
   std::string failure;  ///< why the surface is of no use; empty if it has a height anywhere
 };
 

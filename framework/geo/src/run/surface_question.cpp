@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "run/surface_question.hpp"
+
+#include <map>
+
+#include "ground/paths.hpp"
+#include "xgm/geo/camera/write_rpc.hpp"
+#include "xgm/geo/ground/dem.hpp"
+#include "xgm/io/file.hpp"
+#include "xgm/pipeline/question.hpp"
+
+namespace xgm::geo {
+namespace {
+
+/// Files of these roles have parts: a VRT those that it refers to, others what stands beside them.
+bool is_raster(const std::string& role) {
+  return role == "image" || role == "mask" || role == "DEM";
+}
+
+/// Of the files of a raster but itself.
+std::string hash_of_parts(const std::string& raster) {
+  std::string all;
+  for (const std::string& file : files_of_raster(raster)) {
+    if (file != raster) all += identify_file(file).fnv1a64;
+  }
+  return all.empty() ? all : hash_text(all);
+}
+
+}  // namespace
+
+Json question_of(const Pipeline& pipeline, const SurfaceFiles& files,
+                 const std::vector<InputFile>& read, const std::vector<SatelliteImage>& images,
+                 const SurfaceRecordRequest& request) {
+  Json question = xgm::question_of(pipeline, request.keep->plugin_files);
+  std::map<std::string, int> count;
+  for (const InputFile& file : read) {
+    if (!is_raster(file.role) && file.role != "camera" && file.role != "area") continue;
+    const std::string name = file.role + " " + std::to_string(++count[file.role]);
+    question[name] = file.identity.fnv1a64;
+    const std::string parts = is_raster(file.role) ? hash_of_parts(file.file) : "";
+    if (!parts.empty()) question["files of " + name] = parts;
+  }
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    question["RPC of image " + std::to_string(i + 1)] =
+        hash_text(rpc_text(images[i].camera.model()));
+  }
+  for (const std::string& dem : files.dem) question["datums of the DEM"].push_back(dem_datum(dem));
+  if (!is_there(files.area)) question["--area"] = files.area;
+  question["--band"] = files.band;
+  question["--geoid"] = request.geoid;
+  return question;
+}
+
+Json question_of_matching(const Json& question) {
+  Json matching = {{"program", question.at("program")},
+                   {"plugin files", question.at("plugin files")},
+                   {"pipeline", question.at("pipeline").at("matching")}};
+  return question_of_matcher(std::move(matching));
+}
+
+}  // namespace xgm::geo
