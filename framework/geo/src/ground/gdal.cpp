@@ -36,19 +36,4 @@ DatasetPtr open_raster(const std::string& file) {
   return dataset;
 }
 
-std::vector<std::string> files_of_raster(const std::string& file) {
-  std::vector<std::string> files{file};
-  try {
-    const DatasetPtr dataset = open_raster(file);
-    char** const names = dataset->GetFileList();
-    for (int i = 0; i < CSLCount(names); ++i) {
-      if (names[i] != file && is_there(names[i])) files.emplace_back(names[i]);
-    }
-    CSLDestroy(names);
-  } catch (const Error&) {
-    return files;  // whoever reads it says what is wrong
-  }
-  return files;
-}
-
 }  // namespace xgm::geo

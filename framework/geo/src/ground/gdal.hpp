@@ -29,8 +29,4 @@ class QuietGdal {
 /// For reading. Throws Error, which names the file.
 DatasetPtr open_raster(const std::string& file);
 
-/// The file and all that GDAL reads with it: cameras and metadata beside it, what a VRT is made of.
-/// The file alone if it cannot be opened.
-std::vector<std::string> files_of_raster(const std::string& file);
-
 }  // namespace xgm::geo

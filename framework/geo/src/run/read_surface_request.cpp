@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "ground/gdal.hpp"
 #include "ground/paths.hpp"
 #include "xgm/base/error.hpp"
 #include "xgm/geo/ground/dem.hpp"
+#include "xgm/geo/ground/raster.hpp"
 #include "xgm/geo/image/footprint.hpp"
 #include "xgm/geo/run/surface_files.hpp"
 
@@ -131,19 +131,38 @@ SurfaceRequest read_surface_request(const SurfaceFiles& files) {
   }
 }
 
+namespace {
+
+/// What GDAL reads with a raster: cameras and metadata beside it, what a VRT is made of.
+std::vector<std::string> files_beside(const std::string& raster) {
+  std::vector<std::string> files;
+  try {
+    files = files_of_raster(raster);
+  } catch (const Error&) {
+    return {};  // whoever reads it says what is wrong
+  }
+  std::erase(files, raster);
+  return files;
+}
+
+}  // namespace
+
 std::vector<NamedFile> files_of(const SurfaceFiles& files) {
   std::vector<NamedFile> read;
   const auto add = [&](const std::string& what, const std::vector<std::string>& names) {
-    for (const std::string& name : names) read.push_back({what, name});
+    for (const std::string& name : names) {
+      if (!name.empty()) read.push_back({what, name});
+    }
   };
   const auto add_rasters = [&](const std::string& what, const std::vector<std::string>& names) {
-    for (const std::string& name : names) add(what, files_of_raster(name));
+    add(what, names);
+    for (const std::string& name : names) add("file of the " + what, files_beside(name));
   };
   add_rasters("image", files.images);
   add_rasters("mask", files.masks);
   add("camera", files.cameras);
   add("cloud", files.clouds);
-  if (!files.truth.empty()) add_rasters("truth", {files.truth});
+  add_rasters("truth", {files.truth});
   add_rasters("DEM", dem_files(files.dem));
   if (is_there(files.area)) add("area", {files.area});
   return read;

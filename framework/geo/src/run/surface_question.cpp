@@ -12,18 +12,11 @@
 namespace xgm::geo {
 namespace {
 
-/// Files of these roles have parts: a VRT those that it refers to, others what stands beside them.
-bool is_raster(const std::string& role) {
-  return role == "image" || role == "mask" || role == "DEM";
-}
-
-/// Of the files of a raster but itself.
-std::string hash_of_parts(const std::string& raster) {
-  std::string all;
-  for (const std::string& file : files_of_raster(raster)) {
-    if (file != raster) all += identify_file(file).fnv1a64;
-  }
-  return all.empty() ? all : hash_text(all);
+/// Whether what is matched depends on files of a role.
+bool is_asked(const std::string& role) {
+  const bool is_beside = role.starts_with("file of the ") && role != "file of the truth";
+  return is_beside || role == "image" || role == "mask" || role == "camera" || role == "DEM" ||
+         role == "area";
 }
 
 }  // namespace
@@ -34,11 +27,9 @@ Json question_of(const Pipeline& pipeline, const SurfaceFiles& files,
   Json question = xgm::question_of(pipeline, request.keep->plugin_files);
   std::map<std::string, int> count;
   for (const InputFile& file : read) {
-    if (!is_raster(file.role) && file.role != "camera" && file.role != "area") continue;
+    if (!is_asked(file.role)) continue;
     const std::string name = file.role + " " + std::to_string(++count[file.role]);
     question[name] = file.identity.fnv1a64;
-    const std::string parts = is_raster(file.role) ? hash_of_parts(file.file) : "";
-    if (!parts.empty()) question["files of " + name] = parts;
   }
   for (std::size_t i = 0; i < images.size(); ++i) {
     question["RPC of image " + std::to_string(i + 1)] =
