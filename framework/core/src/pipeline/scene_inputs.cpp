@@ -137,8 +137,7 @@ DisparityRange make_range(const SceneRequest& request, const Search& search, Sce
     // What a scene says may be of its full size; who asks for it has mistaken something.
     (request.disparities ? scene.warnings : scene.notes)
         .push_back("disparities " + text_of(wanted) + " reach beyond images " +
-                   std::to_string(size.width) + " px wide: " + text_of(possible) +
-                   " are searched");
+                   std::to_string(size.width) + " px wide: " + text_of(possible) + " are searched");
   } else if (possible.size() >= size.width && size.width > 1) {
     scene.notes.push_back("disparities " + text_of(wanted) + " (" + search.from +
                           ") are as many as the image is wide; a narrower range is faster and "
