@@ -183,6 +183,14 @@ TEST_CASE("area: elsewhere, exchanged, empty, beyond the image, no polygon") {
                 {"image_1.tif: is a raster without a CRS"});
 }
 
+TEST_CASE("filters that need a confidence are refused where matching gives none") {
+  const SatelliteDesk desk;
+  const std::string set = "--set 'filters=[confidence_threshold]' ";
+  check_refused(desk, kPair + set, {"filters", "needs a confidence", "give the matching part one"});
+  const std::string with = "--set matching.matcher.matcher.matcher.confidence=peak_ratio";
+  CHECK(desk.call("check dsm_tsgm8 " + set + with).exit_code == 0);
+}
+
 TEST_CASE("a scene in YAML: all mistakes at once, each with its place") {
   const SatelliteDesk desk;
   desk.write("s.yaml",

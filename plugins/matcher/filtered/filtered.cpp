@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A matcher and what is done to its maps.
+#include <algorithm>
+
 #include "xgm/plugin.hpp"
 
 namespace {
@@ -19,6 +21,14 @@ class Filtered final : public xgm::Matcher {
     set.add("filters", p.filters,
             "What is done to its map afterwards, in this order; to the reverse map, too, if there "
             "is one.");
+    set.rule({"filters", "matcher"},
+             "holds one that needs a confidence, which the maps do not have; give the matcher one "
+             "(confidence of semi_global or left_right)",
+             [&p] {
+               return p.matcher->gives_confidence() ||
+                      std::ranges::none_of(
+                          p.filters, [](const auto& filter) { return filter->needs_confidence(); });
+             });
   }
 
   explicit Filtered(Parameters parameters) : stages_(std::move(parameters)) {}
@@ -26,6 +36,7 @@ class Filtered final : public xgm::Matcher {
   bool accepts_range_maps() const override { return stages_.matcher->accepts_range_maps(); }
   int coarsest_scale() const override { return stages_.matcher->coarsest_scale(); }
   bool gives_reverse_map() const override { return stages_.matcher->gives_reverse_map(); }
+  bool gives_confidence() const override { return stages_.matcher->gives_confidence(); }
 
   xgm::MatchResult run(const xgm::MatchRequest& request,
                        const xgm::Context& context) const override {

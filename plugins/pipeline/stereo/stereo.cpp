@@ -63,6 +63,7 @@ class Stereo final : public xgm::StereoFamily {
   }
 
   bool accepts_range_maps() const override { return stages_.matcher->accepts_range_maps(); }
+  bool gives_confidence() const override { return stages_.matcher->gives_confidence(); }
 
   xgm::MatchResult run(const xgm::MatchRequest& request,
                        const xgm::Context& context) const override {

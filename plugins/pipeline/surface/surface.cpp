@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The top of a file with `type: surface`: from satellite images to heights on a grid.
+#include <algorithm>
+
 #include "plugins/pipeline/surface/cloud.hpp"
 #include "plugins/pipeline/surface/grid.hpp"
 #include "plugins/pipeline/surface/layers.hpp"
@@ -37,6 +39,14 @@ class SurfacePipeline final : public SurfaceFamily {
     set.add("tile", p.tile, "Largest side of the windows that are rectified and matched at a time.")
         .unit("px")
         .range(100, 20000);
+    set.rule({"filters", "matching"},
+             "holds one that needs a confidence, which the maps do not have; give the matching "
+             "part one (confidence of semi_global or left_right)",
+             [&p] {
+               return p.matching->gives_confidence() ||
+                      std::ranges::none_of(
+                          p.filters, [](const auto& filter) { return filter->needs_confidence(); });
+             });
   }
 
   explicit SurfacePipeline(Parameters parameters) : p_(std::move(parameters)) {}

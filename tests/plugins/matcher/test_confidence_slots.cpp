@@ -194,6 +194,20 @@ TEST_CASE("filters that need a confidence are refused where there is none") {
                 "p.yaml:3:", "needs a confidence");
   CHECK(mistakes("xgm: 1\nmatcher: " + semi_global(", confidence: peak_ratio, filters: " + filter) +
                  "\npostprocess: " + filter) == "");
+  const auto filtered = [&](const std::string& inner) {
+    return "xgm: 1\nmatcher: {type: filtered, matcher: " + semi_global(inner) +
+           ", filters: " + filter + "}\npostprocess: " + filter;
+  };
+  check_mistake(filtered(""), "p.yaml:2:", "needs a confidence");
+  CHECK(mistakes(filtered(", confidence: peak_ratio")) == "");
+}
+
+TEST_CASE("filtered matchers give the confidence of what they filter") {
+  const auto filtered = matcher("{type: filtered, matcher: " + semi_global(", confidence: fake") +
+                                ", filters: [{type: median, window: 3}]}");
+  CHECK(filtered->gives_confidence());
+  const DisparityMap map = filtered->run(request_of(4), {}).forward;
+  CHECK(map.confidence.size() == map.size());
 }
 
 }  // namespace xgm::testing::matchers

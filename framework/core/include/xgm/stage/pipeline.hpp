@@ -37,6 +37,8 @@ class XGM_API StereoFamily : public PipelineFamily {
   /// The disparities that the file itself asks for, if it does.
   virtual std::optional<Interval> disparities() const = 0;
   virtual bool accepts_range_maps() const = 0;
+  /// Whether its maps have a confidence.
+  virtual bool gives_confidence() const { return false; }
 
   /// For scenes that are matched in parts (ScenePart): how many times smaller than the images the
   /// coarsest level is, and the scene as it is after what is done before matching.
