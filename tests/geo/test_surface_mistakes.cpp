@@ -185,7 +185,7 @@ TEST_CASE("area: elsewhere, exchanged, empty, beyond the image, no polygon") {
 
 TEST_CASE("filters that need a confidence are refused where matching gives none") {
   const SatelliteDesk desk;
-  const std::string set = "--set 'filters=[confidence_threshold]' ";
+  const std::string set = "--set 'filters=[{type: confidence_threshold, min: 0.5}]' ";
   check_refused(desk, kPair + set, {"filters", "needs a confidence", "give the matching part one"});
   const std::string with = "--set matching.matcher.matcher.matcher.confidence=peak_ratio";
   CHECK(desk.call("check dsm_tsgm8 " + set + with).exit_code == 0);
