@@ -25,8 +25,9 @@ struct Desk : SmallScene {
       std::filesystem::copy(*this / "scene", *this / name);
     }
   }
-  void pipeline_of(const std::string& name, const std::string& matcher) const {
-    write(name, "matcher: {type: external, time_limit: 2, " + matcher + "}\n");
+  void pipeline_of(const std::string& name, const std::string& matcher, int seconds = 2) const {
+    write(name, "matcher: {type: external, time_limit: " + std::to_string(seconds) + ", " +
+                    matcher + "}\n");
   }
   std::string program(const std::string& name, const std::string& script) const {
     return "command: [sh, '" + write(name, "folder=$(dirname \"$1\")\n" + script + "\n") + "']";
@@ -72,7 +73,7 @@ TEST_CASE("bench: programs that hang, crash, flood and write half a file fail al
   desk.pipeline_of("good.yaml", honest("match"));
   desk.pipeline_of("hangs.yaml", desk.program("hangs.sh", "sleep 1000"));
   desk.pipeline_of("crashes.yaml", desk.program("crashes.sh", "kill -SEGV $$"));
-  desk.pipeline_of("floods.yaml", desk.program("floods.sh", "exec yes"));
+  desk.pipeline_of("floods.yaml", desk.program("floods.sh", "exec yes"), 60);
   write_npy(desk / "whole.npy", cv::Mat1f(24, 40, 3.0F));
   const std::string half_a_map =
       "head -c 2000 '" + (desk / "whole.npy") + "' > \"$folder/disparity.npy\"";

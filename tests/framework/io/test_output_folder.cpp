@@ -2,9 +2,12 @@
 #include <doctest/doctest.h>
 #include <sys/wait.h>
 
+#include <atomic>
 #include <csignal>
+#include <thread>
 
 #include "support/temporary_folder.hpp"
+#include "xgm/base/error.hpp"
 #include "xgm/io/output_folder.hpp"
 
 using namespace xgm;
@@ -67,4 +70,28 @@ TEST_CASE("OutputFolder: what it made and nothing came into does not stay, all e
   }
   CHECK(std::filesystem::exists(folder / "a/mine"));
   CHECK_FALSE(std::filesystem::exists(folder / "a/b"));
+}
+
+TEST_CASE("OutputFolder: one that is refused takes nothing away from the one that has it") {
+  const TemporaryFolder folder;
+  const OutputFolder first(folder / "a/b");
+  const std::string message = error_of([&] { const OutputFolder second(folder / "a/b"); });
+  CHECK(contains(message, "another run or bench writes to "));
+  CHECK(std::filesystem::is_directory(folder / "a/b"));
+}
+
+TEST_CASE("OutputFolder: a folder that is made and taken away by many at once is never lost") {
+  const TemporaryFolder folder;
+  std::atomic<int> lost = 0;
+  const auto work = [&] {
+    for (int round = 0; round < 300; ++round) {
+      try {
+        const OutputFolder mine(folder / "a");
+        if (!std::filesystem::is_directory(folder / "a")) ++lost;
+      } catch (const UsageError&) {  // another one has it, or takes it away just now
+      }
+    }
+  };
+  { const std::jthread one(work), two(work), three(work); }
+  CHECK(lost == 0);
 }

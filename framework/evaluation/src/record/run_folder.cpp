@@ -67,9 +67,7 @@ bool holds(const std::vector<std::string>& names, const std::string& name) {
 
 RunFolder::RunFolder(const std::string& folder, const std::vector<NamedFile>& planned,
                      const std::vector<NamedFile>& inputs, const std::vector<std::string>& optional)
-    : folder_(folder),
-      made_(checked(folder, inputs, planned), std::string(kOption) + " "),
-      lock_(folder) {
+    : folder_(folder), place_(checked(folder, inputs, planned), std::string(kOption) + " ") {
   for (const char* list : {kRecordFile, kUnfinishedFile}) {
     for (OutputFile& output : listed_in(file(list))) earlier_.push_back(std::move(output));
   }

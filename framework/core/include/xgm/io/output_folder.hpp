@@ -2,6 +2,7 @@
 // Where results will go: tried before anything is computed that could not be kept.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,20 +13,6 @@ namespace xgm {
 /// Makes the folder if it is missing. Throws UsageError if it cannot be made or written to; the
 /// message begins with `what` ("--output ").
 XGM_API void make_output_folder(const std::string& folder, const std::string& what = {});
-
-/// A folder that is made if it is missing, with those above it, and is taken away again at the end
-/// if nothing has come into it.
-class XGM_API OutputFolder {
- public:
-  /// Throws what make_output_folder() throws.
-  explicit OutputFolder(const std::string& folder, const std::string& what = {});
-  ~OutputFolder();
-  OutputFolder(const OutputFolder&) = delete;
-  OutputFolder& operator=(const OutputFolder&) = delete;
-
- private:
-  std::vector<std::string> made_;  ///< the innermost first
-};
 
 /// Throws UsageError if no file can be written to the folder ("" is the current one); the message
 /// begins with `what`.
@@ -42,8 +29,29 @@ class XGM_API FolderLock {
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
 
+  /// Whether no other run can have the folder; not so on file systems that know no locks.
+  bool is_held() const { return is_held_; }
+  /// Whether the path still leads to the folder that was locked.
+  bool is_at(const std::string& folder) const;
+
  private:
   int folder_ = -1;
+  bool is_held_ = false;
+};
+
+/// A folder that belongs to one run as long as this exists. It is made if it is missing, with those
+/// above it, and taken away again at the end if nothing has come into it.
+class XGM_API OutputFolder {
+ public:
+  /// Throws what make_output_folder() and FolderLock throw; then nothing is taken away.
+  explicit OutputFolder(const std::string& folder, const std::string& what = {});
+  ~OutputFolder();
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+
+ private:
+  std::vector<std::string> made_;  ///< the innermost first
+  std::optional<FolderLock> lock_;
 };
 
 }  // namespace xgm

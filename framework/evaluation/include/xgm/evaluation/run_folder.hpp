@@ -49,8 +49,7 @@ class XGM_API RunFolder {
   void write_list() const;
 
   std::string folder_;
-  OutputFolder made_;
-  FolderLock lock_;
+  OutputFolder place_;
   std::vector<OutputFile> earlier_;
   std::vector<std::string> planned_, announced_;  ///< relative to the folder
   bool begun_ = false;
