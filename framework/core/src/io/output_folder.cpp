@@ -49,6 +49,7 @@ void require_writable(const std::string& folder, const std::string& what) {
 
 FolderLock::FolderLock(const std::string& folder)
     : folder_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+  is_missing_ = folder_ < 0 && errno == ENOENT;
   if (folder_ < 0) return;
   is_held_ = ::flock(folder_, LOCK_EX | LOCK_NB) == 0;
   if (is_held_ || errno != EWOULDBLOCK) return;
@@ -63,7 +64,7 @@ FolderLock::~FolderLock() {
 
 bool FolderLock::is_at(const std::string& folder) const {
   struct stat locked = {}, there = {};
-  if (folder_ < 0 || ::fstat(folder_, &locked) != 0) return true;  // there is no lock to lose
+  if (folder_ < 0 || ::fstat(folder_, &locked) != 0) return !is_missing_;
   return ::stat(folder.c_str(), &there) == 0 && locked.st_dev == there.st_dev &&
          locked.st_ino == there.st_ino;
 }

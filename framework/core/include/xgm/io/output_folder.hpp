@@ -36,7 +36,7 @@ class XGM_API FolderLock {
 
  private:
   int folder_ = -1;
-  bool is_held_ = false;
+  bool is_held_ = false, is_missing_ = false;
 };
 
 /// A folder that belongs to one run as long as this exists. It is made if it is missing, with those
