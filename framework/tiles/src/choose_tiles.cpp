@@ -10,13 +10,6 @@ namespace xgm::tiles {
 namespace {
 
 constexpr int kSmallestTile = 256;  // below, most of what is matched is halo
-constexpr int kSideStep = 64;       // parts begin at multiples of their coarsest scale
-
-/// The side of square tiles of which so many lie side by side.
-int side_of(int length, int parts) {
-  const int side = (length + parts - 1) / parts;
-  return (side + kSideStep - 1) / kSideStep * kSideStep;
-}
 
 }  // namespace
 
@@ -32,8 +25,7 @@ TileOptions tiles_of_size(cv::Size size) {
 }
 
 TileOptions fitting(const TilePlan& plan, cv::Size whole, double limit) {
-  for (int parts = 1;; ++parts) {
-    const int side = side_of(std::max(whole.width, whole.height), parts);
+  for (int side = std::max(whole.width, whole.height);; side = side * 3 / 4) {
     const TileOptions tiles = tiles_of_size({side, side});
     const double bytes = plan.bytes(tiles);
     if (bytes <= limit) return tiles;

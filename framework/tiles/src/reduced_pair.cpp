@@ -25,21 +25,15 @@ void paste(const Image& part, const cv::Rect& place, cv::Size size, Image& whole
 }  // namespace
 
 ImagePair reduced_pair(const PairWindows& pair, int scale) {
-  return reduced_bands(pair, row_bands(pair.size(), scale), scale);  // of whole blocks of pixels
-}
-
-ImagePair reduced_bands(const PairWindows& pair, const std::vector<cv::Rect>& bands, int scale) {
-  cv::Size small(reduced(pair.size().width, scale), 0);
-  for (const cv::Rect& band : bands) small.height += reduced(band.height, scale);
+  const cv::Size size = pair.size();
+  const cv::Size small(reduced(size.width, scale), reduced(size.height, scale));
   ImagePair whole;
-  int row = 0;
-  for (const cv::Rect& band : bands) {
-    ImagePair part = pair.read(band);
+  for (const cv::Rect& window : row_bands(size, scale)) {  // of whole blocks of pixels
+    ImagePair part = pair.read(window);
     for (int s = 1; s < scale; s *= 2) {
       part = {halve(part.base), halve(part.match), part.is_reverse};
     }
-    const cv::Rect place({0, row}, part.size());
-    row += place.height;
+    const cv::Rect place = reduced(window, scale);
     paste(part.base, place, small, whole.base);
     paste(part.match, place, small, whole.match);
     whole.is_reverse = part.is_reverse;

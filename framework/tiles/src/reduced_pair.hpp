@@ -2,8 +2,6 @@
 // A smaller pair, of images that are not held.
 #pragma once
 
-#include <vector>
-
 #include "xgm/data/pair_windows.hpp"
 
 namespace xgm::tiles {
@@ -19,8 +17,5 @@ inline cv::Rect reduced(const cv::Rect& window, int scale) {
 
 /// Both images `scale` times smaller, a power of two.
 ImagePair reduced_pair(const PairWindows& pair, int scale);
-
-/// The same of bands of whole rows alone, one below the other.
-ImagePair reduced_bands(const PairWindows& pair, const std::vector<cv::Rect>& bands, int scale);
 
 }  // namespace xgm::tiles

@@ -5,7 +5,6 @@
 
 #include "coarse_maps.hpp"
 #include "reduced_pair.hpp"
-#include "small_pair.hpp"
 #include "xgm/base/memory.hpp"
 #include "xgm/base/parallel.hpp"
 #include "xgm/data/interval_mapping.hpp"
@@ -23,7 +22,11 @@ constexpr double kLeftByTiles = 30e6;
 /// The question at a size that does not matter beside what is planned; RunTrace makes it half as
 /// large.
 MatchRequest small_request(const TiledRequest& request) {
-  auto [pair, scale] = small_pair(*request.pair);
+  constexpr double kPixels = 1.6e6;
+  const cv::Size size = request.pair->size();
+  int scale = 1;
+  while (double{1} * size.width * size.height / scale / scale > kPixels) scale *= 2;
+  ImagePair pair = reduced_pair(*request.pair, scale);
   const Interval range = divided(request.range.hull(), scale);
   const cv::Size small = pair.size();
   return {std::move(pair), DisparityRange::uniform(small, range), std::nullopt};

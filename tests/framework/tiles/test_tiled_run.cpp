@@ -176,60 +176,6 @@ TEST_CASE("a run in tiles looks like one run to its observer, and can be cancell
 }
 
 #ifndef XGM_SANITIZED  // sanitizers need memory of their own
-namespace {
-
-/// 400 megapixels of one texture again and again, 20 px apart in the views, with data in some rows.
-class LargePair final : public PairWindows {
- public:
-  explicit LargePair(const cv::Range& rows) : rows_(rows) {}
-  cv::Size size() const override { return {20000, 20000}; }
-  ImagePair read(const cv::Rect& window) const override {
-    pixels_read += window.area();
-    ImagePair pair(image(window, 0), image(window, 20));
-    pair.base.valid = cv::Mat1b(window.size());
-    for (int y = 0; y < window.height; ++y) {
-      const bool has_data = window.y + y >= rows_.start && window.y + y < rows_.end;
-      pair.base.valid.row(y).setTo(has_data ? 255 : 0);
-    }
-    return pair;
-  }
-  mutable double pixels_read = 0;
-
- private:
-  Image image(const cv::Rect& window, int shift) const {
-    cv::Mat1f pixels(window.size());
-    const cv::Mat1f& texture = texture_.base.planes[0];
-    for (int y = 0; y < window.height; ++y)
-      for (int x = 0; x < window.width; ++x)
-        pixels(y, x) =
-            texture((window.y + y) % texture.rows, (window.x + x + shift) % texture.cols);
-    return Image(pixels);
-  }
-
-  cv::Range rows_;
-  ImagePair texture_ = xgm::testing::shifted_pair({640, 480}, 0, 1);
-};
-
-}  // namespace
-
-TEST_CASE("tiles of large images are planned by a part of them that has data") {
-  const Pipeline pipeline = require_pipeline("tsgm8", builtins());
-  const auto chosen = [&](const cv::Range& rows) {
-    const auto pair = std::make_shared<LargePair>(rows);
-    const DisparityRange range = DisparityRange::uniform(pair->size(), {0, 256});
-    const TileOptions tiles = fitting_tiles(pipeline, {pair, range}, {}, 4e9, {});
-    return std::pair(tiles.size.width, pair->pixels_read);
-  };
-  const auto everywhere = chosen({0, 20000});
-  CHECK(everywhere.first >= 2000);
-  CHECK(everywhere.first <= 10000);
-  CHECK(everywhere.second < 30e6);
-  const auto between = chosen({7000, 13000});  // where two bands do not see it
-  CHECK(between.first >= 1000);
-  CHECK(between.first <= everywhere.first);
-  CHECK(between.second > 400e6);
-}
-
 TEST_CASE("tiles are as large as the memory allows") {
   const TiledRequest request{
       std::make_shared<PairInMemory>(xgm::testing::shifted_pair({1600, 1200}, 3, 1)),
