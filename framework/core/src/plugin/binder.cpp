@@ -131,8 +131,10 @@ std::string Binder::choices_of(std::string_view kind) const {
 }
 
 std::string Binder::unknown_remedy(const std::string& name, std::string_view kind) const {
-  std::string remedy = unknown_plugin_remedy(name, names_of(registry_.plugins(kind)),
-                                             "known " + std::string(kind) + " plugins");
+  const std::vector<std::string> known = names_of(registry_.plugins(kind));
+  std::string remedy =
+      unknown_plugin_remedy(name, known, "known " + std::string(kind) + " plugins");
+  if (!closest(name, known).empty()) return remedy;  // what is not loaded has nothing to do with it
   for (const LoadFailure& failure : registry_.failures()) {
     remedy += " (not loaded: " + failure.file + ": " + failure.reason + ")";
   }
