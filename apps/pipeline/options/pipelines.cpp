@@ -33,7 +33,8 @@ void add_satellites(Registry& registry) {
                            "surface",
                            "this program was built without GDAL and PROJ; install libgdal-dev and "
                            "libproj-dev, and build it again",
-                           {}});
+                           {"surface"},
+                           true});
 #endif
 }
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // A matcher and what is done to its maps.
-#include <algorithm>
-
 #include "xgm/plugin.hpp"
 
 namespace {
@@ -21,14 +19,11 @@ class Filtered final : public xgm::Matcher {
     set.add("filters", p.filters,
             "What is done to its map afterwards, in this order; to the reverse map, too, if there "
             "is one.");
-    set.rule({"filters", "matcher"},
-             "holds one that needs a confidence, which the maps do not have; give the matcher one "
-             "(confidence of semi_global or left_right)",
-             [&p] {
-               return p.matcher->gives_confidence() ||
-                      std::ranges::none_of(
-                          p.filters, [](const auto& filter) { return filter->needs_confidence(); });
-             });
+    set.rule(
+        {"filters", "matcher"},
+        "holds one that needs a confidence, which the maps do not have; give the matcher one "
+        "(confidence of semi_global or left_right)",
+        [&p] { return p.matcher->gives_confidence() || !xgm::any_needs_confidence(p.filters); });
   }
 
   explicit Filtered(Parameters parameters) : stages_(std::move(parameters)) {}

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // The chain inside a single-scale matcher: cost, aggregation, selection, refinement, filters.
-#include <algorithm>
-
 #include "plugins/matcher/semi_global/matchable.hpp"
 #include "xgm/plugin.hpp"
 
@@ -66,11 +64,7 @@ class SemiGlobal final : public xgm::Matcher {
              "left_right around this matcher",
              [&p] { return !p.confidence || !p.confidence->needs_confidence(); });
     set.rule({"filters", "confidence"}, "hold one that needs a confidence; give 'confidence', too",
-             [&p] {
-               return p.confidence ||
-                      std::none_of(p.filters.begin(), p.filters.end(),
-                                   [](const auto& filter) { return filter->needs_confidence(); });
-             });
+             [&p] { return p.confidence || !xgm::any_needs_confidence(p.filters); });
   }
 
   xgm::DisparityMap select(const xgm::MatchRequest& request, const xgm::Context& context) const {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // The top of a stereo pipeline's file: preprocess, matcher, postprocess.
-#include <algorithm>
-
 #include "plugins/pipeline/stereo/found_on_whole.hpp"
 #include "plugins/pipeline/stereo/prepared_parts.hpp"
 #include "xgm/base/aligned_buffer.hpp"
@@ -48,9 +46,7 @@ class Stereo final : public xgm::StereoFamily {
              "holds one that needs a confidence, which the maps do not have; give the matcher one "
              "(confidence of semi_global or left_right)",
              [&p] {
-               return p.matcher->gives_confidence() ||
-                      std::none_of(p.postprocess.begin(), p.postprocess.end(),
-                                   [](const auto& stage) { return stage->needs_confidence(); });
+               return p.matcher->gives_confidence() || !xgm::any_needs_confidence(p.postprocess);
              });
   }
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // The top of a file with `type: surface`: from satellite images to heights on a grid.
-#include <algorithm>
-
 #include "plugins/pipeline/surface/cloud.hpp"
 #include "plugins/pipeline/surface/grid.hpp"
 #include "plugins/pipeline/surface/layers.hpp"
@@ -39,14 +37,11 @@ class SurfacePipeline final : public SurfaceFamily {
     set.add("tile", p.tile, "Largest side of the windows that are rectified and matched at a time.")
         .unit("px")
         .range(100, 20000);
-    set.rule({"filters", "matching"},
-             "holds one that needs a confidence, which the maps do not have; give the matching "
-             "part one (confidence of semi_global or left_right)",
-             [&p] {
-               return p.matching->gives_confidence() ||
-                      std::ranges::none_of(
-                          p.filters, [](const auto& filter) { return filter->needs_confidence(); });
-             });
+    set.rule(
+        {"filters", "matching"},
+        "holds one that needs a confidence, which the maps do not have; give the matching "
+        "part one (confidence of semi_global or left_right)",
+        [&p] { return p.matching->gives_confidence() || !xgm::any_needs_confidence(p.filters); });
   }
 
   explicit SurfacePipeline(Parameters parameters) : p_(std::move(parameters)) {}

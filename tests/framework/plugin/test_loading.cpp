@@ -153,6 +153,16 @@ TEST_CASE("an unknown name is not reported as one that could not be loaded") {
   CHECK_FALSE(contains(loaded.diagnostics.front().message, "could not be loaded"));
 }
 
+TEST_CASE("an unknown name is told what else may hold it: files of which not all is known") {
+  Registry registry = xgm::testing::fake_registry();
+  for (const char* file : {"name_taken", "no_symbol"}) registry.load(broken(file));
+  const LoadedPipeline loaded = load_with_filter("nobody", registry);
+  REQUIRE(loaded.diagnostics.size() == 1);
+  const std::string& remedy = loaded.diagnostics.front().remedy;
+  CHECK_MESSAGE(contains(remedy, "not loaded: " + broken("no_symbol")), remedy);
+  CHECK_FALSE_MESSAGE(contains(remedy, broken("name_taken")), remedy);
+}
+
 TEST_CASE("an unknown name that is like no other is told with the ways to load plugins") {
   const Registry registry = xgm::testing::fake_registry();
   const auto remedy = [&](const std::string& name) {

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
@@ -54,7 +55,10 @@ std::ifstream open_to_read(const std::string& file) {
 template <class Body>
 void read_pieces(const std::string& file, Body body) {
   std::ifstream stream = open_to_read(file);
-  std::vector<char> buffer(std::size_t{1} << 20);
+  // A byte more than a small file has, so that its end is met with its only piece.
+  std::error_code unknown;
+  const std::uintmax_t size = fs::file_size(file, unknown);  // -1 for a pipe
+  std::vector<char> buffer(std::clamp<std::uintmax_t>(size + 1, 4096, std::uintmax_t{1} << 20));
   while (stream) {
     stream.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
     body(std::string_view(buffer.data(), static_cast<std::size_t>(stream.gcount())));

@@ -136,6 +136,7 @@ std::string Binder::unknown_remedy(const std::string& name, std::string_view kin
       unknown_plugin_remedy(name, known, "known " + std::string(kind) + " plugins");
   if (!closest(name, known).empty()) return remedy;  // what is not loaded has nothing to do with it
   for (const LoadFailure& failure : registry_.failures()) {
+    if (failure.named_all) continue;  // this one is not among them
     remedy += " (not loaded: " + failure.file + ": " + failure.reason + ")";
   }
   return remedy;

@@ -64,7 +64,7 @@ const xgm_plugin_handshake& open(const std::string& file) {
 }  // namespace
 
 bool Registry::load(const std::string& file) {
-  LoadFailure failure{file, name_from(file), {}, {}};
+  LoadFailure failure{file, name_from(file), {}, {}, false};
   Registry loaded;
   const auto refuse = [&](const std::string& reason) {
     failure.reason = without_controls(reason);
@@ -78,6 +78,7 @@ bool Registry::load(const std::string& file) {
     if (const auto reason = objection(handshake)) throw Error(*reason);
     loaded.kinds_ = kinds_;
     handshake.add(&loaded);
+    failure.named_all = true;
     for (const auto& [key, info] : loaded.plugins_) {
       if (find(info.kind, info.name) != nullptr) Registry(*this).add(info);  // throws: name taken
     }

@@ -40,6 +40,7 @@ struct LoadFailure {
   std::string name;  ///< what the file calls itself, or its stem
   std::string reason;
   std::set<std::string> provides;  ///< stages it had named before it failed
+  bool named_all = false;          ///< it has no other stages
 };
 
 /// A kind of stage.

@@ -2,6 +2,8 @@
 // Kind "filter": from a disparity map to a better one.
 #pragma once
 
+#include <algorithm>
+
 #include "xgm/stage/context.hpp"
 #include "xgm/stage/stage.hpp"
 
@@ -29,5 +31,11 @@ class XGM_API Filter : public Stage {
     result.inherit_confidence(map);
   }
 };
+
+/// Whether one of these slots holds a filter that needs a confidence.
+template <class Slots>
+bool any_needs_confidence(const Slots& filters) {
+  return std::ranges::any_of(filters, [](const auto& slot) { return slot->needs_confidence(); });
+}
 
 }  // namespace xgm
