@@ -77,12 +77,13 @@ void print_table(const RunPlan& plan, bool all_stages) {
     if (!all_stages && !is_shown[i]) continue;
     const Workload& load = stage.load;
     const std::string& kind = stage.place.kind;
-    const bool has_cells =
-        kind != "preprocess" && kind != "filter" && kind != "consistency" && kind != "penalty";
+    const bool has_cells = stage.same_as.empty() && kind != "preprocess" && kind != "filter" &&
+                           kind != "consistency" && kind != "penalty";
     row(stage.place.path, width, fmt::format("{} x {}", load.size.width, load.size.height),
         has_cells ? fmt::format("{}{:.0f}", load.estimated ? "~" : "", load.cells_per_pixel) : "",
         has_cells ? fmt::format("{:.1f}", load.cells() / 1e6) : "", bytes_text(stage.memory),
-        fmt::format("{:.2f}", seconds_with_inner(plan.stages, i)));
+        stage.same_as.empty() ? fmt::format("{:.2f}", seconds_with_inner(plan.stages, i))
+                              : "  found by " + stage.same_as);
   }
 }
 

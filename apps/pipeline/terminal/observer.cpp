@@ -22,6 +22,10 @@ void TerminalObserver::stage_begin(const StagePlace& place) {
   progress_.stage(place.path + " (" + place.plugin + ")");
 }
 
+void TerminalObserver::stage_same_as(const StagePlace& place, const std::string& earlier) {
+  log_debug(place.path + ": found by " + earlier);
+}
+
 void TerminalObserver::stage_end(const StagePlace& place, const StageStatistics& statistics,
                                  const Artifact&) {
   log_debug(fmt::format("{}: {:.3f} s, {:.1f} MB", place.path, statistics.seconds,

@@ -14,6 +14,7 @@ class TerminalObserver final : public Observer {
 
   void log(LogLevel level, const StagePlace& place, const std::string& text) override;
   void stage_begin(const StagePlace& place) override;
+  void stage_same_as(const StagePlace& place, const std::string& earlier) override;
   void stage_end(const StagePlace& place, const StageStatistics& statistics,
                  const Artifact& result) override;
   void figure(const StagePlace& place, const std::string& name, double value) override;

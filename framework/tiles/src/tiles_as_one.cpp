@@ -28,6 +28,10 @@ void TilesAsOne::stage_begin(const StagePlace& place) {
   if (whole_ != nullptr) whole_->stage_begin(place);
 }
 
+void TilesAsOne::stage_same_as(const StagePlace& place, const std::string& earlier) {
+  if (whole_ != nullptr) whole_->stage_same_as(place, earlier);
+}
+
 void TilesAsOne::stage_end(const StagePlace& place, const StageStatistics& statistics,
                            const Artifact&) {
   StageStatistics& sum = stages_[by_path_.at(place.path)].sum;

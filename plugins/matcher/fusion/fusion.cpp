@@ -4,11 +4,13 @@
 #include <string>
 
 #include "xgm/plugin.hpp"
+#include "xgm/stage/asked_once.hpp"
 
 namespace {
 
 /// The matchers run one after the other, each with all threads, so that the memory is that of the
-/// largest and the maps of all. The reverse view is fused if every matcher gives a map of it.
+/// largest and the maps of all. Equal ones, also inside others, run once if they are asked the
+/// same. The reverse view is fused if every matcher gives a map of it.
 class Fusion final : public xgm::Matcher {
  public:
   struct Parameters {
@@ -39,11 +41,12 @@ class Fusion final : public xgm::Matcher {
   xgm::MatchResult run(const xgm::MatchRequest& request,
                        const xgm::Context& context) const override {
     const xgm::MatchRequest whole{request.pair, request.range, request.reverse_range};
+    xgm::AskedOnce once(whole, stages_.matchers);
     xgm::Candidates found;
     double share = 0;
     const double step = 0.96 / static_cast<double>(stages_.matchers.size());
     for (const auto& matcher : stages_.matchers) {
-      xgm::MatchResult result = matcher(context.part(share, share + step), whole);
+      xgm::MatchResult result = once.ask(matcher, context.part(share, share + step));
       found.maps.push_back(std::move(result.forward));
       found.others.push_back(std::move(result.reverse).value_or(xgm::DisparityMap{}));
       share += step;

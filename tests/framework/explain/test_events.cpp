@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The events name the stage that changed a pixel, and end with what the run returned.
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "framework/explain/explained.hpp"
@@ -90,6 +91,12 @@ class Meddler final : public Matcher {
  private:
   Slot<Matcher> inner_;
 };
+
+bool is_same_curve(const std::vector<float>& a, const std::vector<float>& b) {
+  return !a.empty() && std::ranges::equal(a, b, [](float x, float y) {
+    return x == y || (std::isnan(x) && std::isnan(y));
+  });
+}
 
 }  // namespace
 
@@ -253,6 +260,7 @@ TEST_CASE("a fuser's event names the matchers that said what was taken, and what
                       "}, {type: filtered, matcher: " + sgm + ", filters: [{type: median}]}]}\n",
                   small_scene());
   check_story(explained);
+  const std::string again = "matcher.matchers[1].forward.matcher";
   int alone = 0;
   for (const Explanation& pixel : explained.pixels) {
     const auto chosen =
@@ -260,6 +268,15 @@ TEST_CASE("a fuser's event names the matchers that said what was taken, and what
                      [](const ExplainedEvent& event) { return event.place.kind == "fuser"; });
     REQUIRE(chosen != pixel.events.end());
     const std::string& text = chosen->text;
+    REQUIRE(pixel.levels.size() == 3);
+    const MatchExplanation& found = pixel.levels[0].forward;
+    const MatchExplanation& repeated = pixel.levels[1].forward;
+    CHECK(repeated.stage_path == again);
+    CHECK(is_same_curve(repeated.costs, found.costs));
+    CHECK(is_same_curve(repeated.sums, found.sums));
+    CHECK(std::ranges::any_of(pixel.events, [&](const ExplainedEvent& event) {
+      return event.place.path == again && event.text.ends_with(" (found by matcher.matchers[0])");
+    }));
     if (!has_disparity(pixel.result.status)) continue;
     CAPTURE(text);
     const bool only_first = text.find("(from matchers[0] semi_global;") != std::string::npos;

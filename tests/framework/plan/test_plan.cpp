@@ -181,6 +181,39 @@ TEST_CASE("beside a pyramid, a matcher of a fusion searches everything") {
   CHECK(seen == 1);
 }
 
+TEST_CASE(
+    "what equal matchers of a fusion find alike is counted once, and held until it is asked") {
+  const auto planned = [](const std::string& other) {
+    const std::string first =
+        "{type: semi_global, cost: census, penalty: {type: constant, p1: 24, p2: 96}, "
+        "aggregation: {type: sgm, directions: 4}}";
+    const std::string second =
+        "{type: semi_global, cost: census, penalty: {type: constant, p1: " + other +
+        ", p2: 96}, aggregation: {type: sgm, directions: 4}}";
+    const std::string yaml =
+        "matcher: {type: fusion, matchers: [{type: left_right, matcher: " + first + "}, " + second +
+        "]}\n";
+    return plan_run(trace_of(*load_pipeline_text(yaml, "test.yaml", builtins()).pipeline),
+                    dense({800, 600}, 100));
+  };
+  const RunPlan equal = planned("24"), unlike = planned("25");
+  const auto aggregations = [](const RunPlan& plan) {
+    return std::ranges::count_if(
+        plan.stages, [](const PlannedStage& stage) { return stage.place.kind == "aggregation"; });
+  };
+  CHECK(aggregations(equal) == 2);
+  CHECK(aggregations(unlike) == 3);
+  const PlannedStage& last = equal.stages[equal.stages.size() - 2];
+  CHECK(last.place.path == "matcher.matchers[1]");
+  CHECK(last.same_as == "matcher.matchers[0].forward.matcher");
+  CHECK(last.needs.updates == 0);
+  CHECK(last.needs.working == 0);
+  const std::string reverse = "matcher.matchers[0].reverse.matcher";
+  constexpr double kMap = 5 * 800 * 600;
+  CHECK(memory_of(equal, reverse) == doctest::Approx(memory_of(unlike, reverse) + kMap));
+  CHECK(equal.peak_bytes <= unlike.peak_bytes + kMap + 1);
+}
+
 TEST_CASE("the disparities that fit are found") {
   const RunTrace trace = trace_of(shipped("sgm8"));
   const PlanRequest request = dense({1000, 500}, 300);

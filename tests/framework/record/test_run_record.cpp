@@ -42,6 +42,21 @@ TEST_CASE("recorder: stages in the order they begin, figures at the call that to
   CHECK(stages[3].place.path == "elsewhere");
 }
 
+TEST_CASE("run.json tells whose result a stage was given instead of running") {
+  RunRecorder recorder;
+  recorder.stage_begin(at("matcher.matchers[0]"));
+  recorder.stage_end(at("matcher.matchers[0]"), {0.5, 10}, {});
+  recorder.stage_begin(at("matcher.matchers[1]"));
+  recorder.stage_same_as(at("matcher.matchers[1]"), "matcher.matchers[0]");
+  recorder.stage_end(at("matcher.matchers[1]"), {0, 10}, {});
+  RunRecord record;
+  record.resolved_pipeline = "{}";
+  record.stages = recorder.stages();
+  const auto stages = nlohmann::json::parse(to_json(record))["stages"];
+  CHECK_FALSE(stages[0].contains("same_as"));
+  CHECK(stages[1]["same_as"] == "matcher.matchers[0]");
+}
+
 TEST_CASE("run.json tells the place of every stage") {
   RunRecord record;
   record.resolved_pipeline = "{}";

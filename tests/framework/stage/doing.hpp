@@ -41,7 +41,7 @@ using DoingSearchRange =
 template <class Stage>
 auto slot_of(typename Stage::Does does) {
   Slot<typename Stage::Kind> slot;
-  slot.assign(std::make_shared<const Stage>(std::move(does)), "bad", "here");
+  slot.assign(std::make_shared<const Stage>(std::move(does)), "bad", "here", {});
   return slot;
 }
 

@@ -11,7 +11,8 @@ const MatchRequest& request() {
 }
 
 TEST_CASE("fusion asks each of its matchers the same") {
-  const auto matcher = matcher_with_fakes("{type: fusion, matchers: [fake, fake]}");
+  const auto matcher =
+      matcher_with_fakes("{type: fusion, matchers: [fake, {type: fake, offset: 1}]}");
   matcher->run(request(), Context{});
   REQUIRE(asked().size() == 2);
   CHECK(asked()[0].path == "matchers[0]");

@@ -98,6 +98,8 @@ Json& Json::operator=(const Json& other) = default;
 Json& Json::operator=(Json&& other) noexcept = default;
 Json::~Json() = default;
 
+bool operator==(const Json& a, const Json& b) { return a.value_ == b.value_; }
+
 Json Json::array() {
   Json json;
   json.value_ = Array();

@@ -91,8 +91,11 @@ class Walk {
     stage.place = seen.place;
     stage.load = scale_.load(seen);
     stage.needs = scale_.needs(seen, stage.load);
+    if (seen.same_as >= 0) stage.same_as = call(seen.same_as).place.path;
     ledger_.stages.push_back(std::move(stage));
     ledger_.begin(at(i));
+    const bool is_last = seen.same_as >= 0 && call(seen.same_as).kept_until == i;
+    if (is_last) ledger_.add(-scale_.kept_bytes(call(seen.same_as)), 0);
   }
 
   void hold(int buffer, int holder, const trace::Call& by) {
@@ -118,6 +121,7 @@ class Walk {
       const bool passing = calls_.buffers[b].kind != Buffer::Kind::pixels && last_take_[b] == i;
       if (held_[b].now && (held_[b].holder == i || passing)) release(held_[b]);
     }
+    if (call(i).kept_until >= 0) ledger_.add(scale_.kept_bytes(call(i)), 0);
     if (is_level(call(i)))
       ledger_.add(besides_.level_pixel * ledger_.stages[at(i)].load.pixels(), 0);
     if (call(i).parent >= 0) return;

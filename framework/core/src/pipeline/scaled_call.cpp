@@ -74,6 +74,7 @@ Workload Scale::load(const Call& call) const {
 /// much again as it returns of these; a matcher whose stages cannot be seen, costs and sums of all
 /// that it searches. Its work is a look at every cell of its volumes, else at every pixel.
 Needs Scale::needs(const Call& call, const Workload& load) const {
+  if (call.same_as >= 0) return {};  // it does not run
   if (const auto* stating = dynamic_cast<const StatesNeeds*>(call.place.stage)) {
     return stated(*stating, load, call.place);
   }
@@ -83,6 +84,10 @@ Needs Scale::needs(const Call& call, const Workload& load) const {
   const double seen = std::max(call.given_bytes / 2, call.returned_bytes);
   return {.working = seen * ratio(load.pixels(), call.size.area()),
           .updates = call.has_volumes ? load.cells() : load.pixels()};
+}
+
+double Scale::kept_bytes(const Call& call) const {
+  return call.returned_bytes * ratio(load(call).pixels(), call.size.area());
 }
 
 double Scale::pixel_bytes(const Buffer& buffer, const Call& by) const {

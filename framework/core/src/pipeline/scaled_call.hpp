@@ -15,6 +15,8 @@ class Scale {
   Workload load(const Call& call) const;
   /// What it says of itself, else what is assumed of a stage that says nothing.
   Needs needs(const Call& call, const Workload& load) const;
+  /// Of a copy of what it returns.
+  double kept_bytes(const Call& call) const;
   /// Of images, maps, ranges and shapes that `by` was given or returned.
   double pixel_bytes(const Buffer& buffer, const Call& by) const;
   /// Of a volume that was seen first in `call`.

@@ -60,6 +60,14 @@ void Tracer::stage_input(const StagePlace&, const Artifact& input) {
   see(Event::What::take, input);
 }
 
+void Tracer::stage_same_as(const StagePlace&, const std::string& earlier) {
+  const int here = open_.back();
+  for (int i = here - 1; i >= 0 && call(here).same_as < 0; --i) {
+    if (call(i).place.path == earlier) call(here).same_as = i;
+  }
+  if (call(here).same_as >= 0) call(call(here).same_as).kept_until = here;
+}
+
 void Tracer::stage_end(const StagePlace&, const StageStatistics& statistics,
                        const Artifact& result) {
   see(Event::What::give, result);

@@ -34,6 +34,8 @@ struct Call {
   int begin = 0;    ///< index of the event
   bool is_leaf = true;
   bool is_matcher = false;  ///< was given a request
+  int same_as = -1;         ///< the call whose result it was given; -1: it ran itself
+  int kept_until = -1;      ///< the last call that was given its result
   cv::Size size;            ///< of the images or maps that it worked on, px
   int planes = 1;
   Interval range;              ///< hull of what the matcher around was asked to search
@@ -59,6 +61,7 @@ class Tracer final : public Observer {
 
   void stage_begin(const StagePlace& place) override;
   void stage_input(const StagePlace& place, const Artifact& input) override;
+  void stage_same_as(const StagePlace& place, const std::string& earlier) override;
   void stage_end(const StagePlace& place, const StageStatistics& statistics,
                  const Artifact& result) override;
 

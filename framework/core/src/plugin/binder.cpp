@@ -9,6 +9,7 @@
 #include "xgm/base/error.hpp"
 #include "xgm/base/scalar.hpp"
 #include "xgm/base/suggest.hpp"
+#include "xgm/stage/matcher.hpp"
 #include "xgm/stage/pipeline.hpp"
 
 namespace xgm {
@@ -62,9 +63,21 @@ Binder::BoundStage Binder::stage(const Node& node, std::string_view kind) {
     BoundFields bound =
         fields(node.is_map() ? node : none, prototype->parameters(), plugin->name, {"type"});
     result.resolved.update(bound.resolved);
-    if (bound.good) result.stage = prototype->build();
+    if (bound.good) result.stage = built(*prototype, kind, result.resolved);
   });
   return result;
+}
+
+std::shared_ptr<const Stage> Binder::built(Prototype& prototype, std::string_view kind,
+                                           const Json& resolved) {
+  if (kind != Matcher::kKind) return prototype.build();
+  auto known = std::find_if(matchers_.begin(), matchers_.end(),
+                            [&](const auto& matcher) { return matcher.first == resolved; });
+  if (known == matchers_.end()) {
+    known = matchers_.emplace(matchers_.end(), resolved, prototype.build());
+  }
+  bound_.push_back(known->second.get());
+  return known->second;
 }
 
 Binder::BoundStage Binder::pipeline(const Node& root) {
@@ -215,9 +228,11 @@ bool Binder::bind(const Field& field, const Entry* entry, const Node& map, const
 
 bool Binder::bind_slot(const Field& field, SlotBase& slot, const Node& node,
                        const std::string& place, Json& resolved) {
+  const auto before = static_cast<std::ptrdiff_t>(bound_.size());
   BoundStage bound = stage(node, stage_kind(field));
   resolved = std::move(bound.resolved);
-  return bound.stage != nullptr && slot.assign(bound.stage, bound.plugin, place);
+  return bound.stage != nullptr &&
+         slot.assign(bound.stage, bound.plugin, place, {bound_.begin() + before, bound_.end()});
 }
 
 bool Binder::bind_list(const Field& field, const Node& node, Json& resolved) {

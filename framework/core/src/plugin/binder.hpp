@@ -5,6 +5,8 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "config/node.hpp"
 #include "xgm/base/json.hpp"
@@ -40,6 +42,9 @@ class Binder {
                      const std::set<std::string>& skip = {});
 
  private:
+  /// Equal matchers are one object, so that whoever holds several can see that they are equal.
+  std::shared_ptr<const Stage> built(Prototype& prototype, std::string_view kind,
+                                     const Json& resolved);
   const PluginInfo* find_plugin(const Node& name, std::string_view kind);
   std::string unknown_remedy(const std::string& name, std::string_view kind) const;
   /// What may stand for a stage of this kind, for people.
@@ -58,6 +63,8 @@ class Binder {
 
   const Registry& registry_;
   Diagnostics& diagnostics_;
+  std::vector<std::pair<Json, std::shared_ptr<const Stage>>> matchers_;  ///< all that were built
+  std::vector<const Stage*> bound_;  ///< the same, each as often as it stands in the file
 };
 
 }  // namespace xgm

@@ -33,6 +33,7 @@ void Observer::stage_end(const StagePlace&, const StageStatistics&, const Artifa
 void Observer::figure(const StagePlace&, const std::string&, double) {}
 void Observer::progress(double) {}
 void Observer::stage_input(const StagePlace&, const Artifact&) {}
+void Observer::stage_same_as(const StagePlace&, const std::string&) {}
 
 Context Context::with(const RunFacts& facts) const {
   Context inner = *this;
@@ -71,6 +72,12 @@ Context Context::part(double begin, double end) const {
   return inner;
 }
 
+Context Context::asking(AskedOnce& once) const {
+  Context inner = *this;
+  inner.asked_once_ = &once;
+  return inner;
+}
+
 Context Context::inside(std::string_view field, std::string_view kind, const std::string& plugin,
                         const Stage& stage) const {
   Context inner = scope(field);
@@ -103,6 +110,10 @@ void Context::tell_input(const Artifact& input) const {
 
 void Context::figure(const std::string& name, double value) const {
   if (observer_ != nullptr) observer_->figure(place_, name, value);
+}
+
+void Context::same_as(const std::string& earlier) const {
+  if (observer_ != nullptr) observer_->stage_same_as(place_, earlier);
 }
 
 void Context::throw_if_cancelled() const {

@@ -15,6 +15,10 @@ void Observers::stage_input(const StagePlace& place, const Artifact& input) {
   for (Observer* observer : observers_) observer->stage_input(place, input);
 }
 
+void Observers::stage_same_as(const StagePlace& place, const std::string& earlier) {
+  for (Observer* observer : observers_) observer->stage_same_as(place, earlier);
+}
+
 void Observers::stage_end(const StagePlace& place, const StageStatistics& statistics,
                           const Artifact& result) {
   for (Observer* observer : observers_) observer->stage_end(place, statistics, result);

@@ -109,6 +109,9 @@ void Explainer::stage_input(const StagePlace& place, const Artifact& input) {
 void Explainer::stage_end(const StagePlace& place, const StageStatistics&, const Artifact& result) {
   impl_->watcher().end(place, result);
 }
+void Explainer::stage_same_as(const StagePlace& place, const std::string& earlier) {
+  impl_->watcher().same_as(place, earlier);
+}
 void Explainer::figure(const StagePlace& place, const std::string& name, double value) {
   impl_->watcher().figure(place, name, value);
 }

@@ -93,6 +93,10 @@ void Watcher::take_sums(Frame& frame, const AggregatedVolume& sums) {
   }
 }
 
+void Watcher::same_as(const StagePlace& place, const std::string& earlier) {
+  if (Frame* frame = open_frame(place)) frame->same_as = earlier;
+}
+
 void Watcher::figure(const StagePlace& place, const std::string& name, double value) {
   if (frames_.empty() || frames_.back().place.path != place.path) return;
   frames_.back().figures += ", " + name + " " + number(value);
@@ -165,6 +169,26 @@ Match& Watcher::match_of(Frame& matcher) {
   }
   here.match = matcher.match = &match;
   return match;
+}
+
+/// Of the stage whose result this matcher is given: what led to it.
+void Watcher::take_curves(Frame& matcher) {
+  Match& here = match_of(matcher);
+  for (const Match& earlier : matches_) {
+    for (std::size_t i = 0; i < pixels_.size(); ++i) {
+      const MatchExplanation& there = earlier.of[i];
+      const bool is_it = there.stage_path == matcher.same_as ||
+                         there.stage_path.starts_with(matcher.same_as + ".");
+      if (!is_it || earlier.size != here.size || earlier.reverse != here.reverse) continue;
+      MatchExplanation& match = here.of[i];
+      if (there.pixel != match.pixel) continue;
+      match.costs = there.costs;
+      match.sums = there.sums;
+      match.winner = there.winner;
+      match.shift = there.shift;
+      match.range = there.range;
+    }
+  }
 }
 
 }  // namespace xgm::explain

@@ -28,6 +28,7 @@ class Watcher {
 
   void begin(const StagePlace& place);
   void input(const StagePlace& place, const Artifact& input);
+  void same_as(const StagePlace& place, const std::string& earlier);
   void end(const StagePlace& place, const Artifact& result);
   void figure(const StagePlace& place, const std::string& name, double value);
 
@@ -57,6 +58,7 @@ class Watcher {
     std::vector<Proposal> proposals;
     Match* match = nullptr;
     std::string figures;
+    std::string same_as;  ///< path of the stage whose result it is given
 
     bool is_reverse() const { return place.view == View::reverse; }
   };
@@ -87,6 +89,7 @@ class Watcher {
   cv::Point place_of(std::size_t i, const Frame& frame, cv::Size size) const;
   cv::Point counterpart(const Track& forward, std::size_t i) const;
   Match& match_of(Frame& matcher);
+  void take_curves(Frame& matcher);
   void follow(const Frame& frame, Track& track, const DisparityMap* before,
               const DisparityMap& after);
   void record(std::size_t i, const Frame& frame, const Track& track,

@@ -127,6 +127,7 @@ void Watcher::map_returned(Frame& frame, const DisparityMap& result) {
 
 void Watcher::maps_returned(Frame& frame, const MatchResult& result) {
   if (frame.request != nullptr && !frame.holds_matcher) match_of(frame);
+  if (!frame.same_as.empty()) take_curves(frame);
   const MatchResult* given = frame.maps;
   Track& here = track(result.forward.size(), frame.place.level, frame.is_reverse());
   follow(frame, here, given != nullptr ? &given->forward : nullptr, result.forward);
@@ -168,6 +169,7 @@ void Watcher::record(std::size_t i, const Frame& frame, const Track& here,
   if (effect == Effect::unmatched && frame.sums != nullptr && here.match != nullptr) {
     text += rivals_text(here.match->of[i]);
   }
+  if (!frame.same_as.empty()) text += " (found by " + frame.same_as + ")";
   if (frame.place.kind == Fuser::kKind) text += choice_text(i, frame, here, after);
   events_[i].push_back(
       {frame.place, here.level, here.reverse, effect, before, after, std::move(text)});

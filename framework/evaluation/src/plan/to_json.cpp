@@ -23,7 +23,8 @@ Json stage_json(const PlannedStage& stage) {
           {"updates", std::round(stage.needs.updates)},
           {"moved_bytes", std::round(stage.needs.moved)},
           {"memory_bytes", std::round(stage.memory)},
-          {"seconds", stage.seconds}};
+          {"seconds", stage.seconds},
+          {"same_as", stage.same_as.empty() ? Json() : Json(stage.same_as)}};
 }
 
 }  // namespace

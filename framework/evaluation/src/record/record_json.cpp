@@ -72,6 +72,7 @@ Json to_json(const std::vector<StageRecord>& stages) {
       entry["seconds"] = stage.statistics.seconds;
       entry["bytes"] = stage.statistics.bytes;
     }
+    if (!stage.same_as.empty()) entry["same_as"] = stage.same_as;
     for (const auto& [name, value] : stage.figures) entry["figures"][name] = value;
     list.push_back(std::move(entry));
   }

@@ -33,6 +33,10 @@ void RunRecorder::stage_end(const StagePlace& place, const StageStatistics& stat
   stage->finished = true;
 }
 
+void RunRecorder::stage_same_as(const StagePlace& place, const std::string& earlier) {
+  if (StageRecord* const stage = latest(stages_, place.path, true)) stage->same_as = earlier;
+}
+
 void RunRecorder::figure(const StagePlace& place, const std::string& name, double value) {
   StageRecord* stage = latest(stages_, place.path, false);
   // Told from inside a scope that is no stage of its own: kept under the scope's path.

@@ -21,6 +21,7 @@ struct Call {
   double seconds = 0;  ///< stages inside included
   double own = 0;      ///< without them
   double bytes = 0;
+  std::string same_as;  ///< path of the call whose result it was given
 };
 
 /// Calls in the order in which they began; what only reported figures is no stage.
@@ -31,7 +32,8 @@ std::vector<Call> calls_of(const Json& record) {
     const double seconds = number_at(stage, "/seconds");
     if (!std::isfinite(seconds)) continue;
     calls.push_back({text_at(stage, "/stage"), text_at(stage, "/kind"), text_at(stage, "/plugin"),
-                     number_at(stage, "/depth"), seconds, seconds, number_at(stage, "/bytes")});
+                     number_at(stage, "/depth"), seconds, seconds, number_at(stage, "/bytes"),
+                     text_at(stage, "/same_as")});
   }
   return calls;
 }
@@ -57,6 +59,7 @@ struct Group {
 std::vector<Group> groups_of(const std::vector<Call>& calls) {
   std::vector<Group> groups;
   for (const Call& call : calls) {
+    if (!call.same_as.empty()) continue;
     auto group = std::find_if(groups.begin(), groups.end(), [&](const Group& known) {
       return known.plugin == call.plugin && known.kind == call.kind;
     });
@@ -91,7 +94,8 @@ std::string by_plugin(const std::vector<Group>& groups) {
 std::string every_call(const std::vector<Call>& calls) {
   std::vector<Row> rows;
   for (const Call& call : calls) {
-    rows.push_back({html_text(call.path), html_text(call.plugin), seconds(call.seconds),
+    const std::string same = call.same_as.empty() ? "" : ", found by " + call.same_as;
+    rows.push_back({html_text(call.path), html_text(call.plugin + same), seconds(call.seconds),
                     seconds(call.own), megabytes(call.bytes)});
   }
   return table({"Path", "Plugin", "Time", "Without stages inside", "Result"}, rows);

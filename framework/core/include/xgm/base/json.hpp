@@ -57,6 +57,9 @@ class XGM_API Json {
   /// finite are written as null.
   std::string dump(int indent = -1) const;
 
+  /// The same values of the same types; members in the same order.
+  friend bool operator==(const Json& a, const Json& b);
+
   bool is_null() const { return holds<std::monostate>(); }
   bool is_string() const { return holds<std::string>(); }
   bool is_number() const;

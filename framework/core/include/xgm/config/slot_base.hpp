@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -18,9 +19,10 @@ class XGM_API SlotBase {
   /// Name of the kind of stage that fits ("cost", "filter", ...).
   virtual std::string_view kind() const = 0;
   /// Puts a stage into the slot. Returns false if it is of another kind. `plugin` is the name of
-  /// its plugin, `field` the name of the slot ("cost", "filters[1]").
-  virtual bool assign(std::shared_ptr<const Stage> stage, std::string plugin,
-                      std::string field) = 0;
+  /// its plugin, `field` the name of the slot ("cost", "filters[1]"), `matchers` those among the
+  /// stage and the stages inside it.
+  virtual bool assign(std::shared_ptr<const Stage> stage, std::string plugin, std::string field,
+                      std::set<const Stage*> matchers) = 0;
 };
 
 class XGM_API SlotListBase {

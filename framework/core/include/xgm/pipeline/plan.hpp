@@ -61,6 +61,8 @@ struct PlannedStage {
   Needs needs{};       ///< of the stage alone
   double memory = 0;   ///< bytes that the whole process holds at most while the stage runs
   double seconds = 0;  ///< of the stage alone
+  /// Path of the stage whose result it is going to be given, instead of running; else empty.
+  std::string same_as{};
 };
 
 /// Bytes that the caller of a run takes beside it.

@@ -19,7 +19,7 @@ struct xgm_plugin_handshake {
 }
 
 /// Raised whenever a class of the SDK changes its layout or its virtual functions.
-#define XGM_PLUGIN_ABI 6u
+#define XGM_PLUGIN_ABI 7u
 
 #define XGM_TEXT_(x) #x
 #define XGM_TEXT(x) XGM_TEXT_(x)

@@ -17,6 +17,8 @@
 
 namespace xgm {
 
+class AskedOnce;  // xgm/stage/asked_once.hpp
+
 /// Passed to every stage. Cheap to copy; scopes, levels, views and parts are made for the stages
 /// inside.
 class XGM_API Context {
@@ -39,10 +41,13 @@ class XGM_API Context {
   Context other_view(std::string_view name = "reverse") const;
   /// The share [begin, end) of this stage's work, 0 to 1.
   Context part(double begin, double end) const;
+  /// The context of matchers whose answers `once` may know.
+  Context asking(AskedOnce& once) const;
 
   const StagePlace& place() const { return place_; }
   const std::string& path() const { return place_.path; }
   const RunFacts& run() const { return *facts_; }
+  AskedOnce* asked_once() const { return asked_once_; }  ///< null if there is none
 
   void debug(const std::string& text) const { log(LogLevel::debug, text); }
   void info(const std::string& text) const { log(LogLevel::info, text); }
@@ -82,6 +87,9 @@ class XGM_API Context {
       input.each([this](const auto& part) { tell_input(&part); });
     }
   }
+
+  /// Used by AskedOnce: the stage that runs here is given what was found at the path `earlier`.
+  void same_as(const std::string& earlier) const;
 
   /// Used by slots: what is wrong with the result of the stage that runs here. Throws Error if
   /// anything is.
@@ -134,6 +142,7 @@ class XGM_API Context {
 
   Observer* observer_ = nullptr;
   const RunFacts* facts_ = &kNoFacts;
+  AskedOnce* asked_once_ = nullptr;
   std::stop_token stop_;
   bool base_is_reverse_ = false;
   StagePlace place_;

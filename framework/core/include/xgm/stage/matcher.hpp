@@ -15,6 +15,10 @@ class XGM_API Matcher : public Stage {
 
   virtual MatchResult run(const MatchRequest& request, const Context& context) const = 0;
 
+  /// Used by slots: run(), or what an equal matcher has found already (see AskedOnce).
+  static MatchResult answer(const Matcher& matcher, const MatchRequest& request,
+                            const Context& context);
+
   /// What every result is looked at for in a run: both maps, and that masked pixels have no
   /// disparity.
   static std::optional<Fault> fault_of(const MatchResult& result, const MatchRequest& request,

@@ -42,6 +42,9 @@ class XGM_API Observer {
   /// After stage_begin, once for each input that is an artifact, in the order of run's parameters.
   /// It lives until stage_end.
   virtual void stage_input(const StagePlace& place, const Artifact& input);
+  /// Between stage_begin and stage_end: this one is equal to the stage at the path `earlier`, was
+  /// asked the same, and returns what that has found. No stages inside it run.
+  virtual void stage_same_as(const StagePlace& place, const std::string& earlier);
 };
 
 }  // namespace xgm

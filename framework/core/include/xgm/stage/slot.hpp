@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,10 +27,12 @@ class Slot final : public SlotBase {
       : stage_(std::move(stage)), plugin_(Kind::kKind), field_(std::move(field)) {}
 
   std::string_view kind() const override { return Kind::kKind; }
-  bool assign(std::shared_ptr<const Stage> stage, std::string plugin, std::string field) override {
+  bool assign(std::shared_ptr<const Stage> stage, std::string plugin, std::string field,
+              std::set<const Stage*> matchers) override {
     stage_ = std::dynamic_pointer_cast<const Kind>(std::move(stage));
     plugin_ = std::move(plugin);
     field_ = std::move(field);
+    matchers_ = std::move(matchers);
     return stage_ != nullptr;
   }
 
@@ -37,6 +40,9 @@ class Slot final : public SlotBase {
   const Kind* operator->() const { return stage_.get(); }
   const Kind& stage() const { return *stage_; }
   const std::string& plugin() const { return plugin_; }
+  /// The matchers that the configuration has put here, stages inside stages included. Equal ones
+  /// are one.
+  const std::set<const Stage*>& matchers() const { return matchers_; }
 
   template <class... Inputs>
   auto operator()(const Context& context, const Inputs&... inputs) const {
@@ -44,7 +50,7 @@ class Slot final : public SlotBase {
     (inner.take_view(inputs), ...);
     return inner.run_stage([&](const Context& here) {
       (here.show_input(inputs), ...);
-      auto result = stage_->run(inputs..., here);
+      auto result = answer(here, inputs...);
       if constexpr (requires { Kind::fault_of(result, inputs..., here); }) {
         here.require_none(Kind::fault_of(result, inputs..., here));
       } else if constexpr (requires { fault_of(result, MapBounds{result.size()}); }) {
@@ -62,8 +68,18 @@ class Slot final : public SlotBase {
   }
 
  private:
+  template <class... Inputs>
+  auto answer(const Context& here, const Inputs&... inputs) const {
+    if constexpr (requires { Kind::answer(*stage_, inputs..., here); }) {
+      return Kind::answer(*stage_, inputs..., here);
+    } else {
+      return stage_->run(inputs..., here);
+    }
+  }
+
   std::shared_ptr<const Kind> stage_;
   std::string plugin_, field_;
+  std::set<const Stage*> matchers_;
 };
 
 /// Any number of stages of one kind, in order.

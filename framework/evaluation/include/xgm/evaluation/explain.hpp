@@ -121,6 +121,7 @@ class XGM_API Explainer final : public Observer {
   void stage_input(const StagePlace& place, const Artifact& input) override;
   void stage_end(const StagePlace& place, const StageStatistics& statistics,
                  const Artifact& result) override;
+  void stage_same_as(const StagePlace& place, const std::string& earlier) override;
   void figure(const StagePlace& place, const std::string& name, double value) override;
 
   /// One per pixel, in the order given.

@@ -22,6 +22,7 @@ struct StageRecord {
   StageStatistics statistics;
   bool finished = false;
   std::vector<std::pair<std::string, double>> figures;  ///< that the stage told
+  std::string same_as{};  ///< path of the stage whose result it was given; empty if it ran itself
 };
 
 /// Collects the stages of a run.
@@ -30,6 +31,7 @@ class XGM_API RunRecorder final : public Observer {
   void stage_begin(const StagePlace& place) override;
   void stage_end(const StagePlace& place, const StageStatistics& statistics,
                  const Artifact& result) override;
+  void stage_same_as(const StagePlace& place, const std::string& earlier) override;
   void figure(const StagePlace& place, const std::string& name, double value) override;
 
   const std::vector<StageRecord>& stages() const { return stages_; }
