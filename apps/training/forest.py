@@ -11,7 +11,8 @@ THRESHOLDS = (0.5, 1.0, 2.0)  # px; a disparity's score is the share of them tha
 TREES = 32
 LEAVES = 1024
 TREES_OF_FOLDS = 8  # enough to tell how good a forest is
-PER_SCENE = 6000  # samples of a scene that a forest is trained on, so that each scene counts alike
+PER_SCENE = 6000  # visible samples of a scene to train on, so that each scene counts alike
+HIDDEN = 1.0  # hidden samples beside them: 1 takes the share that the scene has, 0 none
 
 
 @dataclasses.dataclass
@@ -21,9 +22,10 @@ class Samples:
     costs: int
     features: np.ndarray  # bytes
     errors: np.ndarray    # px, of each matcher; infinite where it has no disparity
+    visible: np.ndarray   # whether both views show the pixel
 
     @staticmethod
-    def of(records, truth, name):
+    def of(records, truth, visible, name):
         disparities = records["disparities"]
         true = truth[records["row"], records["column"]]
         known = np.isfinite(true)
@@ -32,23 +34,33 @@ class Samples:
         errors = np.nan_to_num(np.abs(disparities - true[:, None]), nan=np.inf)
         costs = sum(field.startswith("matcher 1: cost") and field.endswith(", 3x3")
                     for field in records.dtype.names)
-        return Samples(name, costs, features[known], errors[known])
+        shown = visible[records["row"], records["column"]]
+        return Samples(name, costs, features[known], errors[known], shown[known])
 
     def scores(self):
         return np.mean([self.errors <= bound for bound in THRESHOLDS], axis=0)
 
 
-def train(samples, seed, trees):
+def drawn(part, hidden, draw):
+    """Which samples of a scene a forest is trained on."""
+    scores = part.scores()
+    # What the forest says matters only where the matchers' scores differ.
+    worth = scores.max(1) > scores.min(1)
+    visible = draw.permutation(np.flatnonzero(worth & part.visible))
+    others = draw.permutation(np.flatnonzero(worth & ~part.visible))
+    taken = min(1, PER_SCENE / max(1, len(visible)))  # of the visible ones
+    return np.sort(np.concatenate([visible[:PER_SCENE],
+                                   others[:round(hidden * taken * len(others))]]))
+
+
+def train(samples, seed, trees, hidden):
     """A forest whose outputs are the scores of the matchers."""
     draw = np.random.RandomState(seed)
     features, scores = [], []
     for part in samples:
-        of_part = part.scores()
-        # What the forest says matters only where the matchers' scores differ.
-        worth = np.flatnonzero(of_part.max(1) > of_part.min(1))
-        kept = np.sort(draw.permutation(worth)[:PER_SCENE])
+        kept = drawn(part, hidden, draw)
         features.append(part.features[kept])
-        scores.append(of_part[kept])
+        scores.append(part.scores()[kept])
     scores = np.concatenate(scores)
     model = RandomForestRegressor(n_estimators=trees, max_leaf_nodes=LEAVES, min_samples_leaf=8,
                                   max_features=0.33, max_samples=0.5, n_jobs=-1,
@@ -59,7 +71,7 @@ def train(samples, seed, trees):
 
 def judge(pairs):
     """Shares of wrong pixels of (forest, samples) pairs together, each scene alike: of each matcher
-    alone, of the best choice, of the forest's."""
+    alone, of the best choice, of the forest's. Of the pixels that both views show, then of all."""
     sums = {}
     scenes = [(model, part) for model, parts in pairs for part in parts]
     for model, part in scenes:
@@ -69,17 +81,18 @@ def judge(pairs):
         found["best choice"] = part.errors.min(1)
         found["forest"] = part.errors[pixels, predicted.argmax(1)]
         for name, errors in found.items():
-            shares = np.array([np.mean(errors > bound) for bound in THRESHOLDS])
+            shares = np.array([np.mean(of > bound) for of in (errors[part.visible], errors)
+                               for bound in THRESHOLDS])
             sums[name] = sums.get(name, 0) + shares / len(scenes)
     return list(sums.items())
 
 
-def leave_out(samples, folds, seed):
+def leave_out(samples, folds, seed, hidden):
     """Judges each scene by a forest that was trained on the scenes of the other folds."""
     pairs = []
     for fold in range(folds):
         rest = [part for k, part in enumerate(samples) if k % folds != fold]
-        pairs.append((train(rest, seed, TREES_OF_FOLDS), samples[fold::folds]))
+        pairs.append((train(rest, seed, TREES_OF_FOLDS, hidden), samples[fold::folds]))
     return judge(pairs)
 
 

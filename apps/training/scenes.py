@@ -62,17 +62,17 @@ def found(folders):
 
 
 def read_truth(scene):
-    """True disparities of a scene, px, NaN where they are not known or, if the truth of the right view
-    is there, where the right view does not show the point: no matcher can tell what is hidden."""
+    """True disparities of a scene, px, NaN where they are not known; and whether both views show
+    the pixel, which is taken for granted if there is no truth of the right view."""
     left = read_pfm(scene / "disp0GT.pfm")
     if not (scene / "disp1GT.pfm").exists():
-        return left
+        return left, np.ones(left.shape, bool)
     right = read_pfm(scene / "disp1GT.pfm")
     row, column = np.indices(left.shape)
     there = np.nan_to_num(np.round(column - left), nan=-1).astype(int)
     inside = (there >= 0) & (there < left.shape[1])
     seen = right[row, np.where(inside, there, 0)]
-    return np.where(inside & (np.abs(seen - left) <= 1), left, np.nan).astype(np.float32)
+    return left, inside & (np.abs(seen - left) <= 1)
 
 
 def read_pfm(path):

@@ -32,6 +32,9 @@ def options():
                         help="folders with more scenes to train on: im0, im1 and disp0GT.pfm")
     parser.add_argument("--judge", nargs="*", default=[],
                         help="folders with scenes to judge the forest by, never to train on")
+    parser.add_argument("--hidden", type=float, default=forest.HIDDEN,
+                        help="samples that one view hides: 1 takes the share that a scene has of "
+                             "them, 0 none")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--trees", type=int, default=forest.TREES)
     parser.add_argument("--folds", type=int, default=4,
@@ -62,11 +65,12 @@ def samples_of(scene, chosen):
                         str(folder / "run")], check=True, stdout=subprocess.DEVNULL,
                        stderr=subprocess.DEVNULL)
         partial.rename(file)
-    return forest.Samples.of(np.load(file), scenes.read_truth(scene), scene.name)
+    return forest.Samples.of(np.load(file), *scenes.read_truth(scene), scene.name)
 
 
 def print_judgement(title, rows):
-    print(f"{title}: share of wrong pixels in % where candidates differ, at 0.5 / 1 / 2 px")
+    print(f"{title}: share of wrong pixels in % where candidates differ, at 0.5 / 1 / 2 px, of the "
+          "pixels that both views show, then of all")
     for name, shares in rows:
         print(f"  {name:12}" + "".join(f"{100 * share:8.2f}" for share in shares))
 
@@ -77,15 +81,17 @@ def main():
                                 chosen.generated, chosen.seed) + scenes.found(chosen.scenes)
     samples = [samples_of(scene, chosen) for scene in training]
     if chosen.folds:
-        print_judgement("scenes left out", forest.leave_out(samples, chosen.folds, chosen.seed))
-    trained = forest.train(samples, chosen.seed, chosen.trees)
+        print_judgement("scenes left out",
+                        forest.leave_out(samples, chosen.folds, chosen.seed, chosen.hidden))
+    trained = forest.train(samples, chosen.seed, chosen.trees, chosen.hidden)
     judges = [samples_of(scene, chosen) for scene in scenes.found(chosen.judge)]
     if judges:
         print_judgement("scenes of --judge", forest.judge([(trained, judges)]))
     content = forest.to_bytes(trained, samples[0], [
         f"scenes: {chosen.generated} generated from seed {chosen.seed}"
         + "".join(f", {pathlib.Path(folder).name}" for folder in chosen.scenes),
-        f"samples: {sum(len(part.features) for part in samples)}"])
+        f"samples: {sum(len(part.features) for part in samples)}, {chosen.hidden:g} of the share "
+        "of those that one view hides"])
     pathlib.Path(chosen.output).write_bytes(content)
     print(f"{chosen.output}: {len(content)} bytes, sha256 {hashlib.sha256(content).hexdigest()}")
 

@@ -88,10 +88,11 @@ def features_of(records, without):
 def samples_of(scene, chosen):
     """Pixels of the left view whose candidates differ and whose truth is known."""
     records, _ = winners_of(scene, chosen)
-    truth, disparities = scenes.read_truth(scene), records["disparities"].astype(np.float32)
-    used = np.isfinite(truth) & disputed(records)
-    errors = np.abs(disparities - truth[..., None])[used]
-    return forest.Samples(scene.name, 0, features_of(records, chosen.without)[used], errors)
+    truth, visible = scenes.read_truth(scene)
+    used = np.isfinite(truth) & visible & disputed(records)
+    errors = np.abs(records["disparities"].astype(np.float32) - truth[..., None])[used]
+    return forest.Samples(scene.name, 0, features_of(records, chosen.without)[used], errors,
+                          visible[used])
 
 
 def disputed(records):
@@ -174,7 +175,7 @@ def main():
     chosen = options()
     training = scenes.generated(chosen.program, chosen.work / "scenes", chosen.generated, 1)
     samples = [samples_of(scene, chosen) for scene in training]
-    model = forest.train(samples, 1, chosen.trees)
+    model = forest.train(samples, 1, chosen.trees, hidden=0)
     print(f"{len(samples)} scenes, {samples[0].features.shape[1]} features, {chosen.trees} trees, "
           f"{chosen.penalty}", flush=True)
     judges = scenes.found([chosen.scenes])
