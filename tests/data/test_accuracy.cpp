@@ -117,3 +117,13 @@ TEST_CASE("tmgm16_best is as accurate as docs/accuracy.md says, an eighth better
   REQUIRE(refined.size() == 10);
   for (std::size_t i = 0; i < 3; ++i) CHECK(best.total[i] < 0.875 * refined[3 + 2 * i]);
 }
+
+TEST_CASE("fusion_best is as accurate as docs/accuracy.md says, more so than tmgm16_best") {
+  const auto data = xgm::testing::test_data("accuracy of fusion_best on Middlebury scenes");
+  if (!data) return;
+  const Score fused = average(*data, "fusion_best");
+  check_told("fusion_best", fused);
+  const std::vector<double> best = told("tmgm16_best");
+  REQUIRE(best.size() == 10);
+  for (std::size_t i = 0; i < 3; ++i) CHECK(fused.total[i] < best[3 + 2 * i]);
+}
