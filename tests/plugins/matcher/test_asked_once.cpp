@@ -114,7 +114,9 @@ TEST_CASE("equal matchers that are asked the same run once, wherever they stand 
       {"fake, {type: fusion, matchers: [fake, {type: fake, offset: 1}]}", 2},
       {"fake, {type: fusion, matchers: [" + kLeftRight + "]}", 2},
   };
-  for (const auto& [matchers, count] : cases) {
+  for (const auto& one : cases) {
+    const std::string& matchers = one.matchers;
+    const int count = one.asked;
     CAPTURE(matchers);
     CHECK(times_asked(fusion(matchers), request()) == count);
     MatchRequest both = request();
