@@ -34,7 +34,11 @@ void remove_run(const std::string& folder) {
   if (!is_run) {
     throw UsageError(folder + ": is not what a run has left; move it away");
   }
+  // What says that it is a run's goes last: a removal that is cut short leaves one, too.
   std::error_code failure;
+  for (const auto& entry : fs::directory_iterator(folder, unusable)) {
+    if (entry.path().filename() != kQuestionFile) fs::remove_all(entry.path(), failure);
+  }
   fs::remove_all(folder, failure);
   if (failure) throw Error(folder + ": cannot be removed: " + failure.message());
 }
