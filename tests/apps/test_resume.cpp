@@ -5,6 +5,7 @@
 #include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <iostream>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -188,6 +189,26 @@ TEST_CASE(
   if (!tried) return;
   CHECK(desk.maps("saved") == desk.maps("once"));
   CHECK(desk.reused("saved") > 0);
+}
+
+TEST_CASE("run --resume: what could be removed only in part is gone on with") {
+  const Desk desk;
+  const std::string how = "tsgm8 scene --tiles 64x80 ";
+  desk.must_run(how + "-o once");
+  desk.end_halfway(how);
+  const Outcome outcome =
+      desk.run(how + "-o out --resume",
+               "unshare -rm sh -c 'cd out/unfinished.xgm && mkdir busy && mount -t tmpfs tmpfs "
+               "busy || exit 99; cd ../..; \"$@\"' sh ");
+  if (outcome.exit_code == 99 || contains(outcome.errors, "unshare")) {
+    std::cout << "SKIPPED: a busy folder needs a file system that this user may mount" << std::endl;
+    return;
+  }
+  CHECK(outcome.exit_code == 1);
+  CHECK(contains(outcome.errors, "cannot be removed"));
+  desk.must_run(how + "-o out --resume");
+  CHECK(desk.maps("out") == desk.maps("once"));
+  CHECK_FALSE(fs::exists(desk.unfinished()));
 }
 
 TEST_CASE("run --cache: only what comes after matching is done again, with the same bytes") {

@@ -38,8 +38,9 @@ void remove_run(const std::string& folder) {
   std::error_code failure;
   for (const auto& entry : fs::directory_iterator(folder, unusable)) {
     if (entry.path().filename() != kQuestionFile) fs::remove_all(entry.path(), failure);
+    if (failure) break;
   }
-  fs::remove_all(folder, failure);
+  if (!failure) fs::remove_all(folder, failure);
   if (failure) throw Error(folder + ": cannot be removed: " + failure.message());
 }
 
