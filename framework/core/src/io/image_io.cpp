@@ -3,11 +3,13 @@
 
 #include <opencv2/imgcodecs.hpp>
 
+#include "io/encode_png.hpp"
 #include "io/grey_levels.hpp"
 #include "io/marks.hpp"
 #include "io/unscaled_image.hpp"
 #include "io/warnings.hpp"
 #include "xgm/base/error.hpp"
+#include "xgm/base/parallel.hpp"
 #include "xgm/io/file.hpp"
 
 namespace xgm {
@@ -31,8 +33,11 @@ void apply_mask(UnscaledImage& image, const cv::Mat1b& usable) {
 }
 
 ReadPair read_pair(const PairFiles& files) {
-  UnscaledImage left = read_unscaled(files.left, files.no_data);
-  UnscaledImage right = read_unscaled(files.right, files.no_data);
+  UnscaledImage left, right;
+  parallel_for(0, 2, [&](int i) {
+    if (i == 0) left = read_unscaled(files.left, files.no_data);
+    if (i == 1) right = read_unscaled(files.right, files.no_data);
+  });
   require_same(stored(left), stored(right));
   std::vector<std::string> warnings;
   apply_mask(left, files.left_mask, warnings);
@@ -64,9 +69,7 @@ ReadPair to_pair(UnscaledImage left, UnscaledImage right) {
   return result;
 }
 
-namespace {
-
-void write_encoded(const std::string& file, const cv::Mat& image) {
+std::string encode_png(const std::string& file, const cv::Mat& image) {
   std::vector<uchar> bytes;
   try {
     cv::imencode(".png", image, bytes);
@@ -75,7 +78,13 @@ void write_encoded(const std::string& file, const cv::Mat& image) {
                 " pixels cannot be written as PNG, which has up to 1000000 to a side; match a part "
                 "of the images");
   }
-  write_file(file, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+  return {bytes.begin(), bytes.end()};
+}
+
+namespace {
+
+void write_encoded(const std::string& file, const cv::Mat& image) {
+  write_file(file, encode_png(file, image));
 }
 
 }  // namespace

@@ -83,12 +83,12 @@ double MapInParts::held_bytes(cv::Size size, double picture_pixels) {
 }
 
 double MapInParts::finish_bytes(cv::Size size, double picture_pixels) {
-  return bytes_to_write_maps(sampling_of(size, picture_pixels).shown());
+  return bytes_to_draw(sampling_of(size, picture_pixels).shown());
 }
 
 double MapInParts::picture_pixels(double bytes) {
   const cv::Size some(1000, 1000);
-  return bytes * some.area() / (kMapBytes * some.area() + bytes_to_write_maps(some));
+  return bytes * some.area() / (kMapBytes * some.area() + bytes_to_draw(some));
 }
 
 }  // namespace xgm

@@ -23,7 +23,9 @@ inline constexpr const char* kConfidenceFile = "confidence.pfm";
 /// made, Error if a file cannot be written.
 XGM_API void write_maps(const std::string& folder, const DisparityMap& map);
 
-/// Bytes that this takes for a map of so many pixels.
+/// Bytes that a picture of a map of so many pixels takes until it is written, and those that
+/// write_maps() takes, which draws two at once.
+XGM_API double bytes_to_draw(cv::Size size);
 XGM_API double bytes_to_write_maps(cv::Size size);
 
 }  // namespace xgm
