@@ -11,6 +11,15 @@ namespace {
 
 constexpr int kSmallestTile = 256;  // below, most of what is matched is halo
 
+/// Keeps the memory of volumes from tile to tile if it is hardly missed while maps are worked on.
+TileOptions with_memory(const TilePlan& plan, TileOptions tiles, double limit) {
+  constexpr double kHardly = 1.1;
+  const double without = plan.tile(tiles).peak_bytes;
+  tiles.keeps_memory = true;
+  tiles.keeps_memory = plan.tile(tiles).peak_bytes <= std::min(limit, kHardly * without);
+  return tiles;
+}
+
 }  // namespace
 
 std::string size_text(cv::Size size) {
@@ -28,7 +37,7 @@ TileOptions fitting(const TilePlan& plan, cv::Size whole, double limit) {
   for (int side = std::max(whole.width, whole.height);; side = side * 3 / 4) {
     const TileOptions tiles = tiles_of_size({side, side});
     const double bytes = plan.bytes(tiles);
-    if (bytes <= limit) return tiles;
+    if (bytes <= limit) return with_memory(plan, tiles, limit);
     if (side > kSmallestTile) continue;
     throw UsageError("images of " + size_text(whole) + " take " + bytes_text(bytes) +
                      " even in tiles of " + size_text(tiles.size) + ", and --memory-limit allows " +
@@ -41,7 +50,7 @@ TileOptions fitting(const TilePlan& plan, cv::Size whole, double limit) {
 TileOptions checked(const TilePlan& plan, cv::Size size, double limit) {
   const TileOptions tiles = tiles_of_size(size);
   const double bytes = plan.bytes(tiles);
-  if (bytes <= limit) return tiles;
+  if (bytes <= limit) return with_memory(plan, tiles, limit);
   throw UsageError("tiles of " + size_text(size) + " take " + bytes_text(bytes) +
                    ", and --memory-limit allows " + bytes_text(limit) +
                    "; give smaller ones, or --tiles auto");

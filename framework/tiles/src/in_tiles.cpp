@@ -46,18 +46,27 @@ double free_bytes() {
   return static_cast<double>(available_memory()) + static_cast<double>(resident_memory());
 }
 
+TileOptions without_limit(cv::Size size) {
+  TileOptions tiles = tiles_of_size(size);
+  tiles.keeps_memory = true;
+  return tiles;
+}
+
 /// What an earlier run of the same question has decided, which may have found other memory free.
 /// None: the whole is matched.
 std::optional<TileOptions> decided(const RunOptions& options,
                                    const std::function<std::optional<TileOptions>()>& decide) {
   if (options.kept == nullptr) return decide();
-  const Json size = options.kept->decided("tiles", [&] {
+  const Json kept = options.kept->decided("tiles", [&] {
     const std::optional<TileOptions> tiles = decide();
-    return tiles ? Json(std::vector<int>{tiles->size.width, tiles->size.height}) : Json();
+    if (!tiles) return Json();
+    return Json(std::vector<int>{tiles->size.width, tiles->size.height, tiles->keeps_memory});
   });
-  if (size.size() != 2) return std::nullopt;
-  const auto side = [&](std::size_t i) { return static_cast<int>(size.elements()[i].number()); };
-  return tiles_of_size({side(0), side(1)});
+  if (kept.size() != 3) return std::nullopt;
+  const auto number = [&](std::size_t i) { return static_cast<int>(kept.elements()[i].number()); };
+  TileOptions tiles = tiles_of_size({number(0), number(1)});
+  tiles.keeps_memory = number(2) != 0;
+  return tiles;
 }
 
 MatchParts match_in(const Pipeline& pipeline, TiledRequest request, const TileOptions& tiles,
@@ -83,7 +92,7 @@ ChooseParts in_tiles(const Pipeline& pipeline, std::optional<cv::Size> size) {
   return [&pipeline, size](const SceneInputs& inputs, const RunOptions& options) {
     TiledRequest request = request_of(inputs);
     const auto tiles = decided(options, [&]() -> std::optional<TileOptions> {
-      if (size && !inputs.memory_limit) return tiles_of_size(*size);
+      if (size && !inputs.memory_limit) return without_limit(*size);
       const TilePlan plan(pipeline, request, besides_of(inputs), options);
       const double limit = inputs.memory_limit.value_or(free_bytes());
       return size ? checked(plan, *size, limit) : fitting(plan, inputs.scene.size(), limit);

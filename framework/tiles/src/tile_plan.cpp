@@ -69,8 +69,10 @@ TilePlan::TilePlan(const Pipeline& pipeline, const MatchRequest& small, const Ti
   trim_heap();  // or what the small run and the looks at the images leave counts twice
 }
 
-RunPlan TilePlan::plan_of(cv::Size size, Interval range, double used, double held) const {
+RunPlan TilePlan::plan_of(cv::Size size, Interval range, double used, double held,
+                          bool volumes_stay) const {
   PlanRequest request{.load = load_, .besides = besides_};
+  request.besides.volumes_stay = volumes_stay;
   request.load.size = size;
   request.load.range = range;
   request.load.used = used;
@@ -94,7 +96,7 @@ RunPlan TilePlan::tile(const TileOptions& tiles) const {
   const double coarse_maps =
       scale == 1 ? 0 : 2 * kMapBytes * load_.size.width * load_.size.height / scale / scale;
   constexpr double kAll = 1;  // of the fullest tile, whatever the scene lacks
-  return plan_of(tile, load_.range, kAll, kLeftByTiles + ranges + coarse_maps);
+  return plan_of(tile, load_.range, kAll, kLeftByTiles + ranges + coarse_maps, tiles.keeps_memory);
 }
 
 TilePlan::Fit TilePlan::fit() const {

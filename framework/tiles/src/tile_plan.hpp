@@ -35,7 +35,8 @@ class TilePlan {
  private:
   TilePlan(const Pipeline& pipeline, const MatchRequest& small, const TiledRequest& request,
            const Besides& besides, const RunOptions& options, PlanOf what);
-  RunPlan plan_of(cv::Size size, Interval range, double used, double held) const;
+  RunPlan plan_of(cv::Size size, Interval range, double used, double held,
+                  bool volumes_stay = false) const;
   int scale_of(const TileOptions& tiles) const;
 
   const Pipeline& pipeline_;

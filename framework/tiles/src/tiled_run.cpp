@@ -4,6 +4,7 @@
 #include "choose_tiles.hpp"
 #include "tiled_match.hpp"
 #include "tiles_as_one.hpp"
+#include "xgm/base/aligned_buffer.hpp"
 #include "xgm/base/memory.hpp"
 #include "xgm/base/text.hpp"
 #include "xgm/stage/kept_results.hpp"
@@ -63,11 +64,14 @@ void run_in_tiles(const Pipeline& pipeline, const TiledRequest& request, const T
   trim_heap();
   const std::vector<cv::Rect> all = match.parts();
   const std::vector<std::string> names = names_of(all);
+  std::optional<BufferReuse> reuse;
+  if (tiles.keeps_memory) reuse.emplace();
   for (std::size_t i = 0; i < all.size(); ++i) {
     const double each = (1 - kBeforeTiles) / static_cast<double>(all.size());
     const double begin = kBeforeTiles + each * static_cast<double>(i);
     observer.next(begin, begin + each, true);
     take(all[i], kept.match_part(match, names[i], all[i], watched));
+    if (!reuse) trim_heap();  // what filters leave in pieces adds up from tile to tile
   }
   observer.finish();
 }

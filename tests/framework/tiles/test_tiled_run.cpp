@@ -142,6 +142,9 @@ TEST_CASE("maps in tiles do not depend on the threads, and masked pixels have no
   const TileOptions tiles{.size = {128, 96}, .halo = 32, .coarse_pixels = 3000};
   const DisparityMap one = in_tiles_of(pipeline, request, tiles, {.threads = 1});
   CHECK(identical(one, in_tiles_of(pipeline, request, tiles, {.threads = 3})));
+  TileOptions keeping = tiles;
+  keeping.keeps_memory = true;
+  CHECK(identical(one, in_tiles_of(pipeline, request, keeping)));
   for (int y = 60; y < 100; ++y) {
     for (int x = 90; x < 150; ++x) CHECK_FALSE(one.has_disparity(y, x));
   }
@@ -188,5 +191,19 @@ TEST_CASE("tiles are as large as the memory allows") {
   CHECK(small.size.width < 1600);
   CHECK_THROWS_WITH_AS(fitting_tiles(pipeline, request, {.held = 1e9}, base, {}),
                        doctest::Contains("raise --memory-limit"), UsageError);
+}
+
+TEST_CASE("memory is kept from tile to tile unless filters afterwards take as much") {
+  const TiledRequest request{
+      std::make_shared<PairInMemory>(xgm::testing::shifted_pair({1600, 1200}, 3, 1)),
+      DisparityRange::uniform({1600, 1200}, {0, 128})};
+  const double limit = static_cast<double>(resident_memory()) + 3e8;
+  const auto keeps = [&](const std::string& pipeline) {
+    return fitting_tiles(require_pipeline(pipeline, builtins()), request, {}, limit, {})
+        .keeps_memory;
+  };
+  CHECK(keeps("sgm8"));
+  CHECK(keeps("tmgm16_refined"));
+  CHECK_FALSE(keeps("tmgm16_best"));  // plane_filling
 }
 #endif

@@ -127,7 +127,7 @@ class Walk {
     if (call(i).parent >= 0) return;
     // As Pipeline::run() does: key points leave hundreds of MB behind, volumes wait for the next.
     if (call(i).is_matcher) {
-      ledger_.give_back_volumes();
+      if (!besides_.volumes_stay) ledger_.give_back_volumes();
     } else if (call(i).place.kind == "preprocess") {
       ledger_.give_back_heap();
     }

@@ -70,6 +70,8 @@ struct Besides {
   double level_pixel = 0;  ///< kept of each pixel of each level of a pyramid, until the end
   double after = 0;        ///< taken when the maps are there, to write files
   double held = 0;         ///< from the beginning to the end
+  /// Whether the volumes' memory is kept after the matcher (BufferReuse), for the next map.
+  bool volumes_stay = false;
 };
 
 struct PlanRequest {

@@ -18,6 +18,9 @@ struct TileOptions {
   /// Coarse levels of pyramids are matched as a whole, so that tiles agree about the scene: as many
   /// of them as have at most so many pixels, and the coarsest in any case.
   double coarse_pixels = 8e6;
+  /// Whether memory is kept from tile to tile: faster, as the system clears it but once, and that
+  /// of volumes is held while maps are worked on. No result depends on it.
+  bool keeps_memory = false;
 };
 
 /// What is to be matched. The range is uniform, or of one interval per pixel.
