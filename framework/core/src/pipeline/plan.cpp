@@ -71,6 +71,7 @@ class Walk {
           break;
       }
     }
+    ledger_.give_back_volumes();
     ledger_.add(besides_.after, 0);
   }
 
