@@ -17,8 +17,8 @@ struct KeyPointOptions {
 
 /// Lowe: Distinctive image features from scale-invariant keypoints (IJCV 2004): SIFT key points
 /// that choose each other and pass the ratio test, rows at most max_dy apart. Pixels without data
-/// and their surroundings are not looked at. Images of more than a megapixel (2^20) are looked at in
-/// half the size, those of more than 16 in four bands of rows.
+/// and their surroundings are not looked at. Images of more than a megapixel (2^20) are looked at
+/// in half the size, those of more than 16 in four bands of rows.
 std::vector<Correspondence> match_key_points(const PairWindows& pair,
                                              const KeyPointOptions& options);
 
