@@ -71,7 +71,8 @@ cv::Rect with_margin(const cv::Rect& tile, int margin, cv::Size image) {
          cv::Rect({0, 0}, image);
 }
 
-/// Means of `factor` x `factor` pixels; usable where all of them are. What is left over is cut off.
+/// Means of `factor` x `factor` pixels; usable where all of them are (of xgm::halve: where any is,
+/// so that the edge of a mask would show). What is left over is cut off.
 View reduced(const View& view, int factor) {
   if (factor == 1) return view;
   const cv::Size size = view.grey.size() / factor;
